@@ -1,0 +1,37 @@
+# Language level, warnings, output folders and the name of the build.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, RelWithDebInfo or Debug" FORCE)
+endif()
+
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
+set(CMAKE_BUILD_RPATH "$ORIGIN/../lib")
+
+option(SHIZUKU_NATIVE "Use every instruction of the processor that builds" ON)
+option(SHIZUKU_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+
+# Host code is compiled with these; errno and trapping arithmetic are never asked for, and fused
+# multiply-add is what the GPU does too. NaN and infinity keep their meaning (no -ffast-math).
+set(SHIZUKU_HOST_FLAGS -Wall -Wextra -Wno-unknown-pragmas -fno-math-errno -fno-trapping-math -ffp-contract=fast)
+if(SHIZUKU_NATIVE)
+    list(APPEND SHIZUKU_HOST_FLAGS -march=native)
+endif()
+if(SHIZUKU_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+
+execute_process(
+    COMMAND git -C ${CMAKE_CURRENT_SOURCE_DIR} describe --always --dirty
+    OUTPUT_VARIABLE SHIZUKU_COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(NOT SHIZUKU_COMMIT)
+    set(SHIZUKU_COMMIT unknown)
+endif()

@@ -1,0 +1,60 @@
+# What the machine offers. Required: Boost. Optional, and then left out with a message: CUDA (the GPU
+# backend), VTK and CGAL (utilities), GoogleTest and Google Benchmark (tests and benchmarks).
+
+set(Boost_USE_STATIC_LIBS OFF)
+if(POLICY CMP0167)
+    cmake_policy(SET CMP0167 OLD)   # FindBoost works with and without Boost's own CMake files
+endif()
+find_package(Boost 1.74 REQUIRED COMPONENTS program_options)
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(Threads REQUIRED)
+
+set(SHIZUKU_BACKENDS cpu)
+include(CheckLanguage)
+if(NOT CMAKE_CUDA_COMPILER AND EXISTS /usr/local/cuda/bin/nvcc)
+    set(CMAKE_CUDA_COMPILER /usr/local/cuda/bin/nvcc)
+endif()
+option(SHIZUKU_CUDA "Build the CUDA backend where nvcc is found" ON)
+if(SHIZUKU_CUDA)
+    check_language(CUDA)
+endif()
+if(SHIZUKU_CUDA AND CMAKE_CUDA_COMPILER)
+    if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
+        # The GPU of this machine; without one, Hopper's code, and PTX that newer chips compile at start.
+        execute_process(COMMAND nvidia-smi -L RESULT_VARIABLE no_gpu OUTPUT_QUIET ERROR_QUIET)
+        if(no_gpu EQUAL 0)
+            set(CMAKE_CUDA_ARCHITECTURES native)
+        else()
+            set(CMAKE_CUDA_ARCHITECTURES 90)
+        endif()
+    endif()
+    enable_language(CUDA)
+    set(CMAKE_CUDA_STANDARD 20)
+    set(CMAKE_CUDA_STANDARD_REQUIRED ON)
+    find_package(CUDAToolkit REQUIRED)
+    list(APPEND SHIZUKU_BACKENDS cuda)
+    message(STATUS "CUDA backend: ${CMAKE_CUDA_COMPILER} ${CMAKE_CUDA_COMPILER_VERSION}, architectures ${CMAKE_CUDA_ARCHITECTURES}")
+else()
+    message(STATUS "CUDA backend: left out, no nvcc")
+endif()
+
+# Thrust for the CPU backend: the CUDA toolkit's CCCL where it is, else the system's headers.
+find_path(SHIZUKU_CCCL_INCLUDE thrust/version.h
+    HINTS ${CUDAToolkit_INCLUDE_DIRS} /usr/local/cuda/include PATH_SUFFIXES cccl)
+if(NOT SHIZUKU_CCCL_INCLUDE)
+    message(FATAL_ERROR "Thrust's headers are missing: install libthrust-dev and libcub-dev, or the CUDA toolkit")
+endif()
+
+find_package(CGAL QUIET)
+find_package(VTK 9 QUIET COMPONENTS
+    CommonCore CommonDataModel IOXML FiltersCore FiltersGeometry FiltersSources RenderingCore
+    RenderingOpenGL2 RenderingFreeType RenderingAnnotation IOImage)
+find_package(GTest QUIET)
+find_package(benchmark QUIET)
+foreach(package CGAL VTK GTest benchmark)
+    if(${package}_FOUND)
+        message(STATUS "${package}: found")
+    else()
+        message(STATUS "${package}: not found, what needs it is left out")
+    endif()
+endforeach()

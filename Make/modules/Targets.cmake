@@ -1,0 +1,60 @@
+# The few kinds of targets that the project has.
+
+# A host library (shared: models and tables register themselves when it is loaded).
+#     shizuku_library(shizukuCore SOURCES a.C b.C LINK Boost::program_options)
+function(shizuku_library name)
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+    list(TRANSFORM ARG_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/src/)
+    add_library(${name} SHARED ${ARG_SOURCES})
+    set_source_files_properties(${ARG_SOURCES} PROPERTIES LANGUAGE CXX)
+    target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+    target_compile_options(${name} PRIVATE ${SHIZUKU_HOST_FLAGS})
+    target_link_libraries(${name} PUBLIC ${ARG_LINK})
+endfunction()
+
+# A host application, found in applications/<path>/<name>/.
+#     shizuku_application(utilities/preProcessing/fillLiquid SOURCES fillLiquid.C LINK shizukuGeometry)
+function(shizuku_application path)
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+    get_filename_component(name ${path} NAME)
+    list(TRANSFORM ARG_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/applications/${path}/)
+    add_executable(${name} ${ARG_SOURCES})
+    set_source_files_properties(${ARG_SOURCES} PROPERTIES LANGUAGE CXX)
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/applications/${path})
+    target_compile_options(${name} PRIVATE ${SHIZUKU_HOST_FLAGS})
+    target_link_libraries(${name} PRIVATE shizukuCore ${ARG_LINK})
+endfunction()
+
+# An application that runs on a device. Its sources are compiled once per backend into a module
+# lib<name>-<backend>.so (see Make/backends); the executable is the thin launcher that opens the one
+# that -device asks for. <name>.C defines   extern "C" int runOnDevice(int argc, char** argv).
+#     shizuku_device_application(solvers/pbfDroplet SOURCES pbfDroplet.C StepControl.C)
+# is called in Make/sources/deviceApplications.cmake, which each backend includes.
+function(shizuku_device_launcher name)
+    add_executable(${name} ${PROJECT_SOURCE_DIR}/src/device/launcher/launcher.C)
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/src/device/launcher/launcher.C PROPERTIES LANGUAGE CXX)
+    target_compile_definitions(${name} PRIVATE SHIZUKU_APPLICATION="${name}")
+    target_compile_options(${name} PRIVATE ${SHIZUKU_HOST_FLAGS})
+    target_link_libraries(${name} PRIVATE shizukuCore ${CMAKE_DL_LIBS})
+endfunction()
+
+# A GoogleTest program below tests/. Nothing happens where GoogleTest is absent.
+#     shizuku_test(unit/core/TestDictionary SOURCES TestDictionary.C LINK shizukuCore)
+function(shizuku_test path)
+    if(NOT GTest_FOUND)
+        return()
+    endif()
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINK;LABELS" ${ARGN})
+    get_filename_component(name ${path} NAME)
+    get_filename_component(folder ${path} DIRECTORY)
+    list(TRANSFORM ARG_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/tests/${folder}/)
+    add_executable(${name} ${ARG_SOURCES})
+    set_source_files_properties(${ARG_SOURCES} PROPERTIES LANGUAGE CXX)
+    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    target_compile_options(${name} PRIVATE ${SHIZUKU_HOST_FLAGS})
+    target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest_main)
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES
+        LABELS "${ARG_LABELS}" ENVIRONMENT "SHIZUKU_DIR=${PROJECT_SOURCE_DIR};SHIZUKU_BUILD=${CMAKE_BINARY_DIR}")
+endfunction()

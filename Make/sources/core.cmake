@@ -1,0 +1,4 @@
+# Paths below src/.
+set(SHIZUKU_CORE_SOURCES
+    core/messages/Error.C
+)

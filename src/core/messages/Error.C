@@ -1,0 +1,1 @@
+#include "core/messages/Error.H"
