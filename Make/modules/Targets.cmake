@@ -38,6 +38,9 @@ function(shizuku_device_launcher name)
     target_link_libraries(${name} PRIVATE shizukuCore ${CMAKE_DL_LIBS})
 endfunction()
 
+# All test programs; none is part of the default target.
+add_custom_target(tests)
+
 # A GoogleTest program below tests/. Nothing happens where GoogleTest is absent.
 #     shizuku_test(unit/core/TestDictionary SOURCES TestDictionary.C LINK shizukuCore)
 function(shizuku_test path)
@@ -48,7 +51,8 @@ function(shizuku_test path)
     get_filename_component(name ${path} NAME)
     get_filename_component(folder ${path} DIRECTORY)
     list(TRANSFORM ARG_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/tests/${folder}/)
-    add_executable(${name} ${ARG_SOURCES})
+    add_executable(${name} EXCLUDE_FROM_ALL ${ARG_SOURCES})
+    add_dependencies(tests ${name})
     set_source_files_properties(${ARG_SOURCES} PROPERTIES LANGUAGE CXX)
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
