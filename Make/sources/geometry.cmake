@@ -1,0 +1,5 @@
+# Paths below src/.
+set(SHIZUKU_GEOMETRY_SOURCES
+    geometry/AnalyticSurface.C
+    geometry/Vector3.C
+)
