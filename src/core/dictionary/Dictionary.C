@@ -1,0 +1,97 @@
+#include "core/dictionary/Dictionary.H"
+#include "core/dictionary/DictionaryExpansion.H"
+#include "core/dictionary/DictionaryNode.H"
+
+#include <fstream>
+#include <sstream>
+
+namespace shizuku
+{
+
+Dictionary::Dictionary() : node_(std::make_shared<Node>(Node{std::make_shared<Tree>(), ""})) {}
+
+Dictionary::Dictionary(std::shared_ptr<Node> node) : node_(std::move(node)) {}
+
+Dictionary Dictionary::read(const std::filesystem::path& file)
+{
+    return parse(readText(file), file.lexically_normal().string());
+}
+
+Dictionary Dictionary::parse(const std::string& text, const std::string& name)
+{
+    return DictionaryAccess::make(expandDictionary(SourceText(text, name)), name);
+}
+
+Tree& requireEntry(const Dictionary& dictionary, const std::string& key)
+{
+    if (!dictionary.found(key))
+    {
+        throw FatalInputError
+        (
+            dictionary.where(), "Entry '" + key + "' is missing in dictionary \"" + dictionary.name() + "\"",
+            "'" + key + "' beside the entries that are there", dictionary.keys(), key
+        );
+    }
+    return *findEntry(DictionaryAccess::tree(dictionary), key);
+}
+
+Dictionary Dictionary::subDict(const std::string& key) const
+{
+    Tree& entry = requireEntry(*this, key);
+    if (!isDict(key))
+    {
+        throw FatalInputError(where(key), "Entry '" + key + "' is no dictionary", key + " { ... }");
+    }
+    const std::string name = node_->name.empty() ? key : node_->name + "/" + key;
+    return DictionaryAccess::make(std::shared_ptr<Tree>(node_->tree, &entry), name);
+}
+
+Dictionary Dictionary::subDictOrEmpty(const std::string& key) const
+{
+    if (found(key)) return subDict(key);
+    auto empty = std::make_shared<Tree>();
+    empty->data().where = where();
+    return DictionaryAccess::make(empty, node_->name.empty() ? key : node_->name + "/" + key);
+}
+
+bool Dictionary::found(const std::string& key) const
+{
+    node_->tree->data().asked.insert(key);
+    Tree* entry = findEntry(*node_->tree, key);
+    if (entry) entry->data().used = true;
+    return entry;
+}
+
+bool Dictionary::isDict(const std::string& key) const
+{
+    const Tree* entry = findEntry(*node_->tree, key);
+    return entry && entry->data().kind == NodeKind::dictionary;
+}
+
+std::vector<std::string> Dictionary::keys() const
+{
+    std::vector<std::string> result;
+    for (const auto& [key, entry] : *node_->tree)
+    {
+        if (key != "FoamFile") result.push_back(key);
+    }
+    return result;
+}
+
+SourceLocation Dictionary::where(const std::string& key) const
+{
+    const Tree* entry = findEntry(*node_->tree, key);
+    return entry ? entry->data().where : where();
+}
+
+SourceLocation Dictionary::where() const
+{
+    return node_->tree->data().where;
+}
+
+std::string Dictionary::name() const
+{
+    return node_->name;
+}
+
+}
