@@ -8,14 +8,15 @@ namespace shizuku
 namespace
 {
 
-// Twice the signed area of (a, b, p) seen from above. Evaluated from the lower vertex index to the higher one, so
-// that both faces at an edge get the same number with opposite signs, rounding included.
+// Twice the signed area of (from, to, p) seen from above. Evaluated from the lower vertex index to the higher one,
+// so that both faces at an edge get the same number with opposite signs, rounding included; and relative to p, so
+// that it is exactly zero at the edge's ends, fused multiply-add or not.
 double sideOf(const TriangleMesh& mesh, int from, int to, const Vector3& p)
 {
     const double sign = from < to ? 1 : -1;
-    const Vector3& a = mesh.vertices[std::min(from, to)];
-    const Vector3& b = mesh.vertices[std::max(from, to)];
-    return sign*((b.x - a.x)*(p.y - a.y) - (b.y - a.y)*(p.x - a.x));
+    const Vector3 a = mesh.vertices[std::min(from, to)] - p;
+    const Vector3 b = mesh.vertices[std::max(from, to)] - p;
+    return sign*(a.x*b.y - a.y*b.x);
 }
 
 // Faces sorted into columns of the x-y plane.

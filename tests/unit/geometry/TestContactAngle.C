@@ -42,8 +42,9 @@ protected:
         EXPECT_NEAR(measured.height, cap.height(), 0.1*spacing);
         EXPECT_LT(measured.residual, 0.02);
         const double widest = theta < 90 ? cap.contactRadius(theta) : cap.radius;
-        // The mesh loses the rim's outermost half cell and no more.
-        EXPECT_NEAR(std::sqrt(measured.coveredArea/std::numbers::pi), widest, 0.5*spacing);
+        // The mesh loses the rim where it is thinner than a cell, no more.
+        const double cell = 0.5*spacing, steepness = theta < 90 ? std::tan(theta*std::numbers::pi/180) : 1;
+        EXPECT_NEAR(std::sqrt(measured.coveredArea/std::numbers::pi), widest, cell/std::min(1.0, steepness));
     }
 };
 
