@@ -1,5 +1,7 @@
 # Paths below src/.
 set(SHIZUKU_CORE_SOURCES
+    core/arguments/Arguments.C
+    core/arguments/runApplication.C
     core/dictionary/BalanceCheck.C
     core/dictionary/Dictionary.C
     core/dictionary/DictionaryExpansion.C
@@ -9,5 +11,20 @@ set(SHIZUKU_CORE_SOURCES
     core/dictionary/DictionaryUsage.C
     core/dictionary/Dimensions.C
     core/dictionary/ValueReader.C
+    core/fieldFile/AtomicFile.C
+    core/fieldFile/CsvFile.C
+    core/fieldFile/FieldCursor.C
+    core/fieldFile/FieldFile.C
+    core/fieldFile/FieldListReader.C
+    core/fieldFile/FieldWriter.C
+    core/fieldFile/FileBuffer.C
+    core/fieldFile/FoamFileHeader.C
     core/messages/Error.C
+    core/messages/Progress.C
+    core/time/Controls.C
+    core/time/Time.C
+    core/time/TimeFolders.C
+    core/time/TimeName.C
+    core/time/TimeSelection.C
+    core/time/TimeState.C
 )

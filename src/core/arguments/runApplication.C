@@ -1,0 +1,96 @@
+#include "core/arguments/runApplication.H"
+
+#include "core/messages/Error.H"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <iomanip>
+#include <iostream>
+#include <new>
+#include <sstream>
+
+namespace shizuku
+{
+
+namespace
+{
+
+// Wall clock from the start of the program.
+const auto startTime = std::chrono::steady_clock::now();
+
+std::string hostName()
+{
+    char name[256] = "";
+    return gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
+}
+
+void printBanner(const Arguments& args)
+{
+    const std::time_t now = std::time(nullptr);
+    const std::string rule(78, '-');
+    std::cout
+        << "/*" << rule << "*\\\n"
+        << "| Shizuku " SHIZUKU_VERSION ": position based droplets on wettable solids\n"
+        << "\\*" << rule << "*/\n"
+        << "Build  : " SHIZUKU_VERSION "-" SHIZUKU_COMMIT "\n"
+        << "Exec   : " << args.commandLine() << "\n"
+        << "Date   : " << std::put_time(std::localtime(&now), "%b %d %Y") << "\n"
+        << "Time   : " << std::put_time(std::localtime(&now), "%H:%M:%S") << "\n"
+        << "Host   : " << hostName() << "\n"
+        << "PID    : " << getpid() << "\n";
+    if (args.info().needsCase) std::cout << "Case   : " << args.casePath().string() << "\n";
+    std::cout << std::endl;
+}
+
+int fail(const ApplicationInfo& info, const std::string& kind, const std::string& message)
+{
+    std::cout.flush();
+    std::cerr << "\n--> " << kind << ":\n" << message << "\n\n" << info.name << ": stopped\n";
+    return EXIT_FAILURE;
+}
+
+}
+
+int runApplication
+(
+    int argc, const char* const* argv, const ApplicationInfo& info,
+    const std::function<void(const Arguments&)>& body, bool quiet
+)
+{
+    try
+    {
+        const Arguments args(argc, argv, info);
+        if (!quiet) printBanner(args);
+        body(args);
+        if (!quiet) std::cout << "\n" << executionTime() << "\n\nEnd\n";
+        if (!std::cout.flush()) throw FatalError("The standard output cannot be written");
+        return EXIT_SUCCESS;
+    }
+    catch (const FatalInputError& error)
+    {
+        return fail(info, "FATAL IO ERROR", error.what());
+    }
+    catch (const std::bad_alloc&)
+    {
+        return fail(info, "FATAL ERROR", "There is not enough memory");
+    }
+    catch (const std::exception& error)
+    {
+        return fail(info, "FATAL ERROR", error.what());
+    }
+}
+
+std::string executionTime()
+{
+    const auto wall = std::chrono::steady_clock::now() - startTime;
+    std::ostringstream text;
+    text
+        << std::fixed << std::setprecision(2) << "ExecutionTime = " << static_cast<double>(std::clock()) / CLOCKS_PER_SEC
+        << " s  ClockTime = " << std::chrono::duration_cast<std::chrono::seconds>(wall).count() << " s";
+    return text.str();
+}
+
+}

@@ -1,0 +1,198 @@
+#include "core/fieldFile/FieldListReader.H"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+
+namespace shizuku
+{
+
+static_assert(std::endian::native == std::endian::little, "binary fields are little endian");
+
+namespace
+{
+
+constexpr long largestExactInteger = 1L << 53;     // in a double
+
+std::string elementName(std::size_t element)
+{
+    return "element " + std::to_string(element);
+}
+
+void checkFinite(const FieldCursor& cursor, double value, std::size_t element)
+{
+    if (std::isfinite(value)) return;
+    const std::string text = std::isnan(value) ? "NaN" : "infinite";
+    throw FatalInputError(cursor.where(), "The value of " + elementName(element) + " is " + text, "a finite number");
+}
+
+void checkLabel(const FieldCursor& cursor, long value, std::size_t element)
+{
+    if (std::labs(value) <= largestExactInteger) return;
+    throw FatalInputError
+    (
+        cursor.where(), "The label " + std::to_string(value) + " of " + elementName(element) + " is too large",
+        "at most 2^53"
+    );
+}
+
+long readLength(FieldCursor& cursor)
+{
+    const long length = cursor.integer("the number of elements");
+    if (length >= 0) return length;
+    throw FatalInputError
+    (
+        cursor.where(), "The list has the length " + std::to_string(length), "a number that is not negative"
+    );
+}
+
+double readComponent(FieldCursor& cursor, FieldType type, std::size_t element)
+{
+    if (type == FieldType::label)
+    {
+        const long value = cursor.integer("an integer for " + elementName(element));
+        checkLabel(cursor, value, element);
+        return static_cast<double>(value);
+    }
+    cursor.skipBlanks();
+    const double value = cursor.number("a number for " + elementName(element));
+    checkFinite(cursor, value, element);
+    return value;
+}
+
+void readElement(FieldCursor& cursor, FieldType type, std::vector<double>& values)
+{
+    const std::size_t element = values.size() / componentsOf(type);
+    if (type != FieldType::vector)
+    {
+        values.push_back(readComponent(cursor, type, element));
+        return;
+    }
+    if (!cursor.accept('(')) cursor.fail("'(' of the vector of " + elementName(element));
+    for (int component = 0; component < 3; ++component) values.push_back(readComponent(cursor, type, element));
+    if (!cursor.accept(')')) cursor.fail("')' behind three components of " + elementName(element));
+}
+
+template<class T>
+std::vector<double> convert(const FieldCursor& cursor, std::size_t size, int components)
+{
+    std::vector<double> values(size);
+    const char* raw = cursor.data();
+    for (std::size_t i = 0; i < size; ++i)
+    {
+        T value;
+        std::memcpy(&value, raw + i * sizeof(T), sizeof(T));
+        if constexpr (std::is_integral_v<T>) checkLabel(cursor, value, i / components);
+        else checkFinite(cursor, value, i / components);
+        values[i] = static_cast<double>(value);
+    }
+    return values;
+}
+
+}
+
+void checkLength(const SourceLocation& where, long elements, long expectedElements)
+{
+    if (expectedElements < 0 || elements == expectedElements) return;
+    throw FatalInputError
+    (
+        where, "The field has " + std::to_string(elements) + " elements",
+        std::to_string(expectedElements) + " elements, one a particle"
+    );
+}
+
+std::vector<double> readAsciiList(FieldCursor& cursor, FieldType type, long expectedElements)
+{
+    std::vector<double> values;
+    cursor.skipBlanks();
+    const SourceLocation start = cursor.where();
+    const bool counted = cursor.remaining() > 0 && *cursor.data() != '(';
+    const long length = counted ? readLength(cursor) : 0;
+    if (counted) checkLength(start, length, expectedElements);
+
+    if (counted && cursor.accept('{'))
+    {
+        readElement(cursor, type, values);
+        cursor.expect('}', "behind the value of all elements");
+        const std::vector<double> element = values;
+        values.clear();
+        values.reserve(length * element.size());
+        for (long i = 0; i < length; ++i) values.insert(values.end(), element.begin(), element.end());
+        return values;
+    }
+
+    cursor.expect('(', "before the list");
+    // Two characters a number is the least: a length that is a lie reserves no more than the file's size.
+    values.reserve(std::min<std::size_t>(length, cursor.remaining() / 2) * componentsOf(type));
+    while (!cursor.accept(')')) readElement(cursor, type, values);
+
+    const long found = values.size() / componentsOf(type);
+    if (counted && found != length)
+    {
+        throw FatalInputError
+        (
+            cursor.where(), "The list has " + std::to_string(found) + " elements",
+            "the " + std::to_string(length) + " that stand before it"
+        );
+    }
+    checkLength(start, found, expectedElements);
+    return values;
+}
+
+std::vector<double> readBinaryList
+(
+    FieldCursor& cursor, FieldType type, const BinaryLayout& layout, long expectedElements
+)
+{
+    cursor.skipBlanks();
+    const SourceLocation start = cursor.where();
+    const long length = readLength(cursor);
+    checkLength(start, length, expectedElements);
+    if (length == 0)
+    {
+        // OpenFOAM writes an empty list as "0" alone or as "0()".
+        if (cursor.accept('(')) cursor.expect(')', "of the empty list");
+        return {};
+    }
+    cursor.expect('(', "before the raw values");
+
+    const int components = componentsOf(type);
+    const int bytes = type == FieldType::label ? layout.labelBytes : layout.scalarBytes;
+    const std::size_t there = cursor.remaining() / (static_cast<std::size_t>(bytes) * components);
+    if (there < static_cast<std::size_t>(length))
+    {
+        throw FatalInputError
+        (
+            start, "The binary list is truncated: the file ends within " + elementName(there),
+            std::to_string(length) + " elements of " + std::to_string(bytes * components) + " bytes"
+        );
+    }
+
+    const std::size_t size = static_cast<std::size_t>(length) * components;
+    std::vector<double> values;
+    if (type == FieldType::label)
+    {
+        values = bytes == 4 ? convert<std::int32_t>(cursor, size, components)
+                            : convert<std::int64_t>(cursor, size, components);
+    }
+    else
+    {
+        values = bytes == 4 ? convert<float>(cursor, size, components) : convert<double>(cursor, size, components);
+    }
+    cursor.moveBy(size * bytes);
+    if (cursor.remaining() == 0 || *cursor.data() != ')')
+    {
+        throw FatalInputError
+        (
+            start, "The binary list does not end behind its " + std::to_string(length) + " elements",
+            "')' there; a wrong length, or another arch than the header's"
+        );
+    }
+    cursor.moveBy(1);
+    return values;
+}
+
+}

@@ -1,0 +1,143 @@
+#include "core/time/Controls.H"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace shizuku
+{
+
+namespace
+{
+
+template<class Enum>
+Enum choose
+(
+    const Dictionary& dict, const std::string& key, const std::vector<std::string>& words, const std::string& fallback
+)
+{
+    const std::string word = dict.lookupChoiceOr(key, words, fallback);
+    return static_cast<Enum>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
+int readInteger(const Dictionary& dict, const std::string& key, int fallback, int least, int most)
+{
+    const int value = dict.lookupOr<int>(key, fallback);
+    if (value >= least && value <= most) return value;
+    throw FatalInputError
+    (
+        dict.where(key), key + " is " + std::to_string(value),
+        most == std::numeric_limits<int>::max()
+            ? "a whole number from " + std::to_string(least)
+            : "a whole number from " + std::to_string(least) + " to " + std::to_string(most)
+    );
+}
+
+double readFiniteTime(const Dictionary& dict, const std::string& key)
+{
+    const double value = dict.lookupDimensioned(key, dimensions::time);
+    if (!std::isfinite(value)) throw FatalInputError(dict.where(key), key + " is not finite", "a time in seconds");
+    return value;
+}
+
+// writeInterval: steps of timeStep, seconds of the others.
+double readWriteInterval(const Dictionary& dict, WriteControl control, double deltaT)
+{
+    const std::string key = "writeInterval";
+    if (control == WriteControl::timeStep) return readInteger(dict, key, 0, 1, std::numeric_limits<int>::max());
+
+    const double interval = dict.lookupPositive(key, dimensions::time);
+    const double steps = interval / deltaT;
+    if (control == WriteControl::adjustableRunTime && std::abs(steps - std::round(steps)) > 1e-6 * steps)
+    {
+        throw FatalInputError
+        (
+            dict.where(key), "writeInterval is " + std::to_string(steps) + " times deltaT",
+            "a whole number of deltaT with writeControl adjustableRunTime: deltaT is never shortened to meet a "
+            "time of writing; writeControl runTime writes at the nearest step"
+        );
+    }
+    return interval;
+}
+
+// Keywords of OpenFOAM that mean nothing here, and why.
+void refuseForeign(const Dictionary& dict)
+{
+    const std::pair<const char*, const char*> foreign[] =
+    {
+        {"maxDeltaT", "deltaT, which the solver divides and never enlarges"},
+        {"graphFormat", "no graphFormat: tables are written as .csv"},
+    };
+    for (const auto& [key, expected] : foreign)
+    {
+        if (dict.found(key)) throw FatalInputError(dict.where(key), std::string("Found ") + key, expected);
+    }
+    if (dict.found("writeCompression") && dict.lookup<std::string>("writeCompression") != "uncompressed")
+    {
+        if (dict.lookup<bool>("writeCompression"))
+        {
+            throw FatalInputError
+            (
+                dict.where("writeCompression"), "writeCompression is on", "off; writeFormat binary makes small files"
+            );
+        }
+    }
+}
+
+void checkStepControl(const Dictionary& dict)
+{
+    dict.lookupOr<bool>("adjustTimeStep", false);
+    for (const char* key : {"maxCo", "maxCapillaryCo"})
+    {
+        if (dict.found(key)) dict.lookupPositive(key, dimensions::none);
+    }
+}
+
+void leaveToOthers(const Dictionary& dict)
+{
+    dict.lookupOr<std::string>("application", "");
+    for (const char* key : {"functions", "libs"})
+    {
+        if (!dict.found(key)) continue;
+        if (dict.isDict(key)) dict.subDict(key).markUsed();
+        else dict.lookup<std::vector<std::string>>(key);
+    }
+}
+
+}
+
+Controls readControls(const Dictionary& dict)
+{
+    Controls controls;
+    controls.startFrom = choose<StartFrom>(dict, "startFrom", {"firstTime", "startTime", "latestTime"}, "latestTime");
+    if (controls.startFrom == StartFrom::startTime || dict.found("startTime"))
+    {
+        controls.startTime = readFiniteTime(dict, "startTime");
+    }
+    controls.stopAt = choose<StopAt>(dict, "stopAt", {"endTime", "writeNow", "noWriteNow", "nextWrite"}, "endTime");
+    controls.endTime = readFiniteTime(dict, "endTime");
+    controls.deltaT = dict.lookupPositive("deltaT", dimensions::time);
+    controls.writeControl =
+        choose<WriteControl>(dict, "writeControl", {"timeStep", "runTime", "adjustableRunTime"}, "timeStep");
+    controls.writeInterval = readWriteInterval(dict, controls.writeControl, controls.deltaT);
+    controls.purgeWrite = readInteger(dict, "purgeWrite", 0, 0, std::numeric_limits<int>::max());
+    controls.format.binary = dict.lookupChoiceOr("writeFormat", {"ascii", "binary"}, "ascii") == "binary";
+    controls.format.precision = readInteger(dict, "writePrecision", 9, 1, 17);
+    controls.nameFormat.precision = readInteger(dict, "timePrecision", 6, 1, 17);
+    const std::string style = dict.lookupChoiceOr("timeFormat", {"general", "fixed", "scientific"}, "general");
+    controls.nameFormat.style =
+        style == "fixed" ? std::chars_format::fixed
+      : style == "scientific" ? std::chars_format::scientific
+      : std::chars_format::general;
+    controls.runTimeModifiable = dict.lookupOr<bool>("runTimeModifiable", false);
+    controls.reportInterval = readInteger(dict, "reportInterval", 1, 1, std::numeric_limits<int>::max());
+
+    checkStepControl(dict);
+    leaveToOthers(dict);
+    refuseForeign(dict);
+    dict.refuseUnused();
+    return controls;
+}
+
+}

@@ -1,0 +1,216 @@
+#include "core/time/Time.H"
+
+#include "core/fieldFile/AtomicFile.H"
+#include "core/messages/Error.H"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace shizuku
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr double tolerance = 1e-6;      // of deltaT: steps that differ by less fall on the same time
+
+void removePartialFolders(const fs::path& casePath)
+{
+    std::vector<fs::path> stale;
+    for (const auto& entry : fs::directory_iterator(casePath))
+    {
+        if (entry.is_directory() && isPartialName(entry.path().filename().string())) stale.push_back(entry.path());
+    }
+    for (const fs::path& folder : stale)
+    {
+        std::cout << "Removing " << folder.string() << ", which an interrupted run left incomplete" << std::endl;
+        fs::remove_all(folder);
+    }
+}
+
+TimeFolder findStart(const fs::path& casePath, const Controls& controls, const Dictionary& dict)
+{
+    const auto folders = timeFolders(casePath);
+    if (folders.empty())
+    {
+        throw FatalInputError({casePath.string(), 0}, "The case has no time folder", "a folder such as 0 to start from");
+    }
+    if (controls.startFrom == StartFrom::firstTime) return folders.front();
+    if (controls.startFrom == StartFrom::latestTime) return folders.back();
+
+    std::vector<std::string> names;
+    for (const TimeFolder& folder : folders)
+    {
+        if (namesTime(folder.name, controls.startTime, controls.deltaT)) return folder;
+        names.push_back(folder.name);
+    }
+    throw FatalInputError(dict.where("startTime"), "There is no folder of the startTime", "one of the times below", names);
+}
+
+void checkEnd(const Controls& controls, const Dictionary& dict, double startTime)
+{
+    if (controls.endTime > startTime - tolerance * controls.deltaT) return;
+    throw FatalInputError
+    (
+        dict.where("endTime"), "endTime is before the start time of the run",
+        "a time from " + timeName(startTime, controls.deltaT, controls.nameFormat) + " on"
+    );
+}
+
+void warnOfPrecision(const Controls& controls, const Dictionary& dict)
+{
+    if (controls.format.binary || controls.format.precision >= 9) return;
+    warning("Fewer than 9 digits lose bits of a float: a restarted run will differ", dict.where("writePrecision"));
+}
+
+}
+
+Time::Time(const fs::path& casePath)
+    : case_(casePath), stamp_(controlStamp()), dict_(Dictionary::read(controlFile())), controls_(readControls(dict_)),
+      pace_("Time")
+{
+    removePartialFolders(case_);
+    const TimeFolder folder = findStart(case_, controls_, dict_);
+    startFolder_ = folder.path;
+    checkEnd(controls_, dict_, folder.value);
+    warnOfPrecision(controls_, dict_);
+
+    const TimeState fresh{folder.value, 0, controls_.deltaT, folder.value, 0};
+    state_ = readTimeState(folder.path).value_or(fresh);
+    stopIndex_ = state_.index;
+    use(controls_);
+    start_ = state_;
+}
+
+void Time::use(const Controls& controls)
+{
+    if (controls.stopAt != controls_.stopAt) stopIndex_ = state_.index;
+    controls_ = controls;
+    if (state_.deltaT == controls.deltaT) return;
+    state_.deltaT = controls.deltaT;
+    state_.origin = state_.value;
+    state_.originIndex = state_.index;
+}
+
+bool Time::beforeEnd() const
+{
+    return state_.value < controls_.endTime - tolerance * state_.deltaT;
+}
+
+bool Time::running() const
+{
+    switch (controls_.stopAt)
+    {
+        case StopAt::endTime: break;
+        case StopAt::noWriteNow: return false;
+        case StopAt::writeNow: return state_.index <= stopIndex_ && beforeEnd();
+        case StopAt::nextWrite: return !(state_.index > stopIndex_ && scheduled()) && beforeEnd();
+    }
+    return beforeEnd();
+}
+
+void Time::advance()
+{
+    if (state_.index == start_.index) pace_ = Progress("Time");
+    ++state_.index;
+    state_.value = state_.at(state_.index);
+}
+
+long Time::intervalsUntil(long step) const
+{
+    const double nearest = state_.at(step) + (0.5 + tolerance) * state_.deltaT;
+    return static_cast<long>(std::floor(nearest / controls_.writeInterval));
+}
+
+bool Time::scheduled() const
+{
+    if (controls_.writeControl == WriteControl::timeStep)
+    {
+        return state_.index % static_cast<long>(controls_.writeInterval) == 0;
+    }
+    return intervalsUntil(state_.index) > intervalsUntil(state_.index - 1);
+}
+
+bool Time::writeDue() const
+{
+    if (state_.index == start_.index) return false;
+    return scheduled() || (!running() && controls_.stopAt != StopAt::noWriteNow);
+}
+
+bool Time::reportDue() const
+{
+    return state_.index % controls_.reportInterval == 0 || writeDue();
+}
+
+void Time::write(const std::function<void(const fs::path&)>& fill)
+{
+    const fs::path folder = path();
+    if (folder == startFolder_) throw FatalError("Writing would replace " + folder.string() + ", where the run started");
+    writeFolderAtomically(folder, [&](const fs::path& temporary)
+    {
+        fill(temporary);
+        writeTimeState(temporary, state_);
+    });
+
+    std::erase(written_, folder);
+    written_.push_back(folder);
+    while (controls_.purgeWrite > 0 && written_.size() > static_cast<std::size_t>(controls_.purgeWrite))
+    {
+        fs::remove_all(written_.front());
+        written_.erase(written_.begin());
+    }
+}
+
+std::string Time::name() const
+{
+    return timeName(state_.value, state_.deltaT, controls_.nameFormat);
+}
+
+fs::path Time::path() const
+{
+    return state_.index == start_.index ? startFolder_ : case_ / name();
+}
+
+Time::FileStamp Time::controlStamp() const
+{
+    std::error_code missing;
+    const auto modified = fs::last_write_time(controlFile(), missing);
+    if (missing) return {};
+    const auto size = fs::file_size(controlFile(), missing);
+    return missing ? FileStamp() : FileStamp(std::pair(modified, size));
+}
+
+bool Time::readIfModified()
+{
+    if (!controls_.runTimeModifiable) return false;
+    const FileStamp now = controlStamp();
+    if (!now || now == stamp_) return false;
+    stamp_ = now;
+    try
+    {
+        const Dictionary dict = Dictionary::read(controlFile());
+        const Controls controls = readControls(dict);
+        checkEnd(controls, dict, start_.value);
+        warnOfPrecision(controls, dict);
+        dict_ = dict;
+        use(controls);
+    }
+    catch (const FatalInputError& error)
+    {
+        warning(std::string(error.what()) + "\nThe change of controlDict is left out, the former values stay in force");
+        return false;
+    }
+    std::cout << "Read " << controlFile().string() << " anew, it has changed" << std::endl;
+    return true;
+}
+
+std::string Time::progress() const
+{
+    const double whole = controls_.endTime - start_.value;
+    return pace_.text(whole > 0 ? (state_.value - start_.value) / whole : 1);
+}
+
+}
