@@ -1,0 +1,94 @@
+#include "geometry/SolidParticles.H"
+
+#include "core/dictionary/Dictionary.H"
+#include "core/fieldFile/AtomicFile.H"
+#include "geometry/VectorField.H"
+
+#include <algorithm>
+
+namespace shizuku
+{
+
+namespace
+{
+
+std::filesystem::path folderOf(const std::filesystem::path& casePath)
+{
+    return casePath/"constant"/"solid";
+}
+
+void writePatches(std::ostream& stream, const std::vector<std::string>& patches)
+{
+    stream << "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       dictionary;\n"
+           << "    location    \"constant/solid\";\n    object      patches;\n}\n\npatches\n(\n";
+    for (const std::string& patch : patches) stream << "    " << patch << '\n';
+    stream << ");\n";
+}
+
+}
+
+void SolidParticles::append(const SolidParticles& other)
+{
+    std::vector<int> label;
+    for (const std::string& name : other.patches)
+    {
+        const auto found = std::find(patches.begin(), patches.end(), name);
+        label.push_back(static_cast<int>(found - patches.begin()));
+        if (found == patches.end()) patches.push_back(name);
+    }
+    positions.insert(positions.end(), other.positions.begin(), other.positions.end());
+    normals.insert(normals.end(), other.normals.begin(), other.normals.end());
+    for (int p : other.patch) patch.push_back(label[p]);
+}
+
+void writeSolidParticles
+(
+    const std::filesystem::path& casePath, const SolidParticles& particles, const WriteFormat& format
+)
+{
+    FieldData patch{"patch", FieldType::label, dimensions::none, false, {}};
+    patch.values.assign(particles.patch.begin(), particles.patch.end());
+    writeFolderAtomically(folderOf(casePath), [&](const std::filesystem::path& folder)
+    {
+        writeField(folder/"positions", toField("positions", dimensions::length, particles.positions), format);
+        writeField(folder/"normals", toField("normals", dimensions::none, particles.normals), format);
+        writeField(folder/"patch", patch, format);
+        writeAtomically(folder/"patches", [&](std::ostream& stream) { writePatches(stream, particles.patches); });
+    });
+}
+
+bool haveSolidParticles(const std::filesystem::path& casePath)
+{
+    return std::filesystem::exists(folderOf(casePath));
+}
+
+SolidParticles readSolidParticles(const std::filesystem::path& casePath)
+{
+    const std::filesystem::path folder = folderOf(casePath);
+    const FieldData positions = readField(folder/"positions", FieldType::vector, dimensions::length);
+    const std::size_t count = positions.elements();
+    const FieldData normals = readField(folder/"normals", FieldType::vector, dimensions::none, long(count));
+    const FieldData patch = readField(folder/"patch", FieldType::label, dimensions::none, long(count));
+
+    SolidParticles particles;
+    particles.positions = toVectors(positions, count);
+    particles.normals = toVectors(normals, count);
+    particles.patches = Dictionary::read(folder/"patches").lookup<std::vector<std::string>>("patches");
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const double label = patch(i);
+        if (label < 0 || label >= double(particles.patches.size()))
+        {
+            throw FatalInputError
+            (
+                {(folder/"patch").string(), 0},
+                "Solid particle " + std::to_string(i) + " has the patch label " + std::to_string(long(label)),
+                "labels from 0 to " + std::to_string(long(particles.patches.size()) - 1) + ", see constant/solid/patches"
+            );
+        }
+        particles.patch.push_back(static_cast<int>(label));
+    }
+    return particles;
+}
+
+}

@@ -1,0 +1,117 @@
+#include "geometry/sampling/LayerRelaxation.H"
+
+#include <algorithm>
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr double reach = 1.6;           // of the repulsion, in spacings: between the first and the second neighbours
+constexpr double stiffness = 0.35;      // step over repulsion, in spacings
+constexpr double longestStep = 0.15;    // in spacings
+constexpr double wideReach = 2;         // in spacings; sharp edges are seen from this far
+constexpr double smoothCosine = 0.866;  // normals that deviate by more than 30 degrees tell of a sharp edge
+constexpr double flatCosine = 0.9999;   // and by more than about one degree, of a surface that is not flat
+
+// The least cosine between a particle's normal and those of the particles around it.
+double leastCosine(const ParticleLayer& layer, const PointGrid& grid, const LayerParticle& particle)
+{
+    double least = 1;
+    grid.forEachWithin(particle.position, wideReach*layer.spacing(), [&](int j, double)
+    {
+        least = std::min(least, dot(particle.normal, layer.particles()[j].normal));
+    });
+    return least;
+}
+
+}
+
+void fixLatticeInterior(ParticleLayer& layer)
+{
+    const PointGrid grid = layer.grid(wideReach*layer.spacing());
+    for (LayerParticle& particle : layer.particles())
+    {
+        particle.fixed = particle.fixed && leastCosine(layer, grid, particle) > flatCosine;
+    }
+}
+
+void relax(ParticleLayer& layer, int iterations, const std::function<void(double)>& report)
+{
+    const double spacing = layer.spacing(), radius = reach*spacing;
+    std::vector<LayerParticle>& particles = layer.particles();
+
+    std::vector<std::size_t> free;
+    std::vector<bool> nearEdge;
+    {
+        const PointGrid grid = layer.grid(wideReach*spacing);
+        for (std::size_t i = 0; i < particles.size(); ++i)
+        {
+            if (particles[i].fixed) continue;
+            free.push_back(i);
+            nearEdge.push_back(leastCosine(layer, grid, particles[i]) < smoothCosine);
+        }
+    }
+    if (free.empty()) return;
+
+    std::vector<Vector3> step(free.size());
+    for (int iteration = 0; iteration < iterations; ++iteration)
+    {
+        const PointGrid grid = layer.grid(radius);
+        for (std::size_t f = 0; f < free.size(); ++f)
+        {
+            const Vector3& x = particles[free[f]].position;
+            Vector3 push;
+            grid.forEachWithin(x, radius, [&](int j, double d2)
+            {
+                if (d2 > 0) push += (1/std::sqrt(d2) - 1/radius)*(x - particles[j].position);
+            });
+            step[f] = stiffness*spacing*push;
+            const double l = length(step[f]);
+            if (l > longestStep*spacing) step[f] *= longestStep*spacing/l;
+        }
+        for (std::size_t f = 0; f < free.size(); ++f)
+        {
+            LayerParticle& particle = particles[free[f]];
+            const LayerParticle moved = layer.particleAt(layer.surface().move(particle.foot, step[f]));
+            if (!nearEdge[f] || layer.clear(moved)) particle = moved;
+        }
+        report(double(iteration + 1)/iterations);
+    }
+}
+
+void thinOut(ParticleLayer& layer, double gap)
+{
+    std::vector<LayerParticle>& particles = layer.particles();
+    std::stable_partition(particles.begin(), particles.end(), [](const LayerParticle& p) { return p.fixed; });
+    std::vector<LayerParticle> kept;
+    PointGrid grid(gap);
+    for (const LayerParticle& particle : particles)
+    {
+        if (!particle.fixed && grid.anyWithin(particle.position, gap)) continue;
+        grid.insert(particle.position);
+        kept.push_back(particle);
+    }
+    particles = std::move(kept);
+}
+
+void fillHoles(ParticleLayer& layer, double hole, double cover)
+{
+    // Pieces this small miss a hole by no more than their size.
+    const double resolution = 0.2*layer.spacing();
+    PointGrid grid = layer.grid(cover);
+    for (const double radius : {hole, cover})
+    {
+        layer.surface().forEachPiece(resolution, [&](const SurfacePoint& place)
+        {
+            const LayerParticle particle = layer.particleAt(place);
+            if (grid.anyWithin(particle.position, radius)) return;
+            if (radius < cover && !layer.clear(particle)) return;
+            grid.insert(particle.position);
+            layer.particles().push_back(particle);
+        });
+    }
+}
+
+}
