@@ -3,6 +3,7 @@ set(SHIZUKU_CORE_SOURCES
     core/arguments/Arguments.C
     core/arguments/runApplication.C
     core/dictionary/BalanceCheck.C
+    core/dictionary/CalcExpression.C
     core/dictionary/Dictionary.C
     core/dictionary/DictionaryExpansion.C
     core/dictionary/DictionaryGrammar.C
@@ -10,6 +11,9 @@ set(SHIZUKU_CORE_SOURCES
     core/dictionary/DictionaryTree.C
     core/dictionary/DictionaryUsage.C
     core/dictionary/Dimensions.C
+    core/dictionary/EntryMerge.C
+    core/dictionary/IncludeFile.C
+    core/dictionary/MacroScope.C
     core/dictionary/ValueReader.C
     core/fieldFile/AtomicFile.C
     core/fieldFile/CsvFile.C

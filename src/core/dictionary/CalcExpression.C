@@ -1,0 +1,264 @@
+#include "core/dictionary/CalcExpression.H"
+
+#include <boost/spirit/home/x3.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <numbers>
+#include <vector>
+
+namespace shizuku
+{
+
+namespace
+{
+
+namespace x3 = boost::spirit::x3;
+using x3::_attr;
+using x3::_val;
+
+// A parsed expression is a function without arguments, so that ?: && || evaluate only what they need.
+using Term = std::function<double()>;
+using Terms = std::vector<Term>;
+
+struct Evaluation
+{
+    const std::string& text;
+    const SourceLocation& where;
+    const MacroValue& macro;
+
+    [[noreturn]] void fail(const std::string& what, const std::string& expected = "") const
+    {
+        throw FatalInputError(where, what + " in the expression \"" + text + "\"", expected);
+    }
+};
+
+struct EvaluationTag;
+
+template<class Context>
+const Evaluation& evaluationOf(const Context& context)
+{
+    return x3::get<EvaluationTag>(context).get();
+}
+
+// ---- Functions
+
+struct Function
+{
+    std::size_t arguments;
+    std::function<double(const std::vector<double>&)> value;
+};
+
+Function unary(double (*f)(double))
+{
+    return {1, [f](const std::vector<double>& x) { return f(x[0]); }};
+}
+
+Function binary(double (*f)(double, double))
+{
+    return {2, [f](const std::vector<double>& x) { return f(x[0], x[1]); }};
+}
+
+const std::map<std::string, Function>& functions()
+{
+    static const std::map<std::string, Function> table
+    {
+        {"abs", unary(std::fabs)}, {"mag", unary(std::fabs)}, {"sqrt", unary(std::sqrt)},
+        {"sqr", unary([](double x) { return x*x; })}, {"exp", unary(std::exp)}, {"log", unary(std::log)},
+        {"sin", unary(std::sin)}, {"cos", unary(std::cos)}, {"tan", unary(std::tan)},
+        {"asin", unary(std::asin)}, {"acos", unary(std::acos)}, {"atan", unary(std::atan)},
+        {"floor", unary(std::floor)}, {"ceil", unary(std::ceil)},
+        {"degToRad", unary([](double x) { return x*std::numbers::pi/180; })},
+        {"radToDeg", unary([](double x) { return x*180/std::numbers::pi; })},
+        {"atan2", binary(std::atan2)}, {"pow", binary(std::pow)}, {"min", binary(std::fmin)}, {"max", binary(std::fmax)},
+        {"pi", {0, [](const std::vector<double>&) { return std::numbers::pi; }}}
+    };
+    return table;
+}
+
+Term call(const Evaluation& evaluation, const std::string& name, const Terms& arguments)
+{
+    const auto found = functions().find(name);
+    if (found == functions().end())
+    {
+        std::vector<std::string> names;
+        for (const auto& [word, function] : functions()) names.push_back(word);
+        throw FatalInputError
+        (
+            evaluation.where, "Unknown name '" + name + "' in the expression \"" + evaluation.text + "\"",
+            "one of the functions below, or $" + name + " for an entry", names, name
+        );
+    }
+    const Function& function = found->second;
+    if (arguments.size() != function.arguments)
+    {
+        evaluation.fail
+        (
+            "'" + name + "' has " + std::to_string(arguments.size()) + " arguments",
+            std::to_string(function.arguments) + " arguments"
+        );
+    }
+    return [&function, arguments]()
+    {
+        std::vector<double> values;
+        for (const Term& argument : arguments) values.push_back(argument());
+        return function.value(values);
+    };
+}
+
+// ---- Semantic actions
+
+// _val := operation(_val, _attr)
+template<class Operation>
+auto combine(Operation operation)
+{
+    return [operation](auto& context)
+    {
+        const Evaluation& evaluation = evaluationOf(context);
+        _val(context) = [operation, &evaluation, a = Term(_val(context)), b = Term(_attr(context))]()
+        {
+            return operation(a, b, evaluation);
+        };
+    };
+}
+
+template<class Operation>
+auto applied(Operation operation)
+{
+    return [operation](auto& context)
+    {
+        _val(context) = [operation, a = Term(_attr(context))]() { return double(operation(a())); };
+    };
+}
+
+// An operation on two values that are both needed.
+template<class Operation>
+auto values(Operation operation)
+{
+    return combine([operation](const Term& a, const Term& b, const Evaluation&) { return double(operation(a(), b())); });
+}
+
+template<class Operation>
+auto division(Operation operation)
+{
+    return combine([operation](const Term& a, const Term& b, const Evaluation& evaluation)
+    {
+        const double divisor = b();
+        if (divisor == 0) evaluation.fail("Division by zero");
+        return operation(a(), divisor);
+    });
+}
+
+const auto pass = [](auto& context) { _val(context) = _attr(context); };
+const auto constant = [](auto& context) { _val(context) = [value = double(_attr(context))]() { return value; }; };
+const auto add = [](auto& context) { _val(context).push_back(_attr(context)); };
+const auto addName = [](auto& context) { _val(context).assign(_attr(context).begin(), _attr(context).end()); };
+
+const auto macroValue = [](auto& context)
+{
+    const Evaluation& evaluation = evaluationOf(context);
+    const std::string name = _attr(context);
+    _val(context) = [&evaluation, name]() { return evaluation.macro(name); };
+};
+
+const auto functionCall = [](auto& context)
+{
+    using boost::fusion::at_c;
+    _val(context) = call(evaluationOf(context), at_c<0>(_attr(context)), at_c<1>(_attr(context)));
+};
+
+const auto constantCall = [](auto& context) { _val(context) = call(evaluationOf(context), _attr(context), {}); };
+
+// ---- Grammar, from the loosest binding to the tightest
+
+const x3::rule<class ChoiceTag, Term> choice = "expression";
+const x3::rule<class EitherTag, Term> either = "||";
+const x3::rule<class BothTag, Term> both = "&&";
+const x3::rule<class EqualityTag, Term> equality = "== or !=";
+const x3::rule<class OrderTag, Term> order = "comparison";
+const x3::rule<class SumTag, Term> sum = "sum";
+const x3::rule<class ProductTag, Term> product = "product";
+const x3::rule<class SignTag, Term> sign = "signed value";
+const x3::rule<class PowerTag, Term> power = "power";
+const x3::rule<class PrimaryTag, Term> primary = "value";
+const x3::rule<class ArgumentsTag, Terms> arguments = "arguments";
+const x3::rule<class NameTag, std::string> name = "name";
+const x3::rule<class MacroTag, std::string> macro = "macro";
+const x3::rule<class BranchesTag, Terms> branches = "? :";
+
+const auto pickBranch = [](auto& context)
+{
+    _val(context) = [condition = Term(_val(context)), branch = Terms(_attr(context))]()
+    {
+        return condition() != 0 ? branch[0]() : branch[1]();
+    };
+};
+
+const auto eitherTerm = combine([](const Term& a, const Term& b, const Evaluation&) { return double(a() || b()); });
+const auto bothTerms = combine([](const Term& a, const Term& b, const Evaluation&) { return double(a() && b()); });
+const auto remainder = division([](double a, double b) { return std::fmod(a, b); });
+const auto raise = values([](double a, double b) { return std::pow(a, b); });
+
+const auto branches_def = '?' > choice[add] > ':' > choice[add];
+const auto choice_def = either[pass] >> -branches[pickBranch];
+const auto either_def = both[pass] >> *("||" > both[eitherTerm]);
+const auto both_def = equality[pass] >> *("&&" > equality[bothTerms]);
+const auto equality_def = order[pass]
+    >> *(("==" > order[values(std::equal_to<>())]) | ("!=" > order[values(std::not_equal_to<>())]));
+const auto order_def = sum[pass]
+    >> *(("<=" > sum[values(std::less_equal<>())]) | (">=" > sum[values(std::greater_equal<>())])
+       | ('<' > sum[values(std::less<>())]) | ('>' > sum[values(std::greater<>())]));
+const auto sum_def = product[pass]
+    >> *(('+' > product[values(std::plus<>())]) | ('-' > product[values(std::minus<>())]));
+const auto product_def = sign[pass]
+    >> *(('*' > sign[values(std::multiplies<>())]) | ('/' > sign[division(std::divides<>())]) | ('%' > sign[remainder]));
+const auto sign_def = ('-' > sign[applied(std::negate<>())]) | ('+' > sign[pass])
+    | ('!' > sign[applied(std::logical_not<>())]) | power[pass];
+const auto power_def = primary[pass] >> -('^' > sign[raise]);
+const auto primary_def = x3::double_[constant] | ('(' > choice[pass] > ')') | macro[macroValue]
+    | (name >> arguments)[functionCall] | name[constantCall];
+const auto arguments_def = '(' >> -(choice[add] % ',') > ')';
+const auto name_def = x3::lexeme[x3::raw[x3::alpha >> *(x3::alnum | '_')][addName]];
+const auto macro_def = x3::lexeme['$' > ('{' >> x3::raw[+(x3::char_ - '}')][addName] >> '}'
+    | x3::raw[+(x3::alnum | x3::char_("_.:"))][addName])];
+
+BOOST_SPIRIT_DEFINE(choice, either, both, equality, order, sum, product, sign, power, primary, arguments, name, macro, branches)
+
+}
+
+double evaluate(const std::string& expression, const SourceLocation& where, const MacroValue& macro)
+{
+    const Evaluation evaluation{expression, where, macro};
+    Term term;
+    auto first = expression.begin();
+    try
+    {
+        const auto parser = x3::with<EvaluationTag>(std::cref(evaluation))[choice > x3::eoi];
+        x3::phrase_parse(first, expression.end(), parser, x3::space, term);
+    }
+    catch (const x3::expectation_failure<std::string::const_iterator>& failure)
+    {
+        const std::string rest(failure.where(), expression.end());
+        evaluation.fail(rest.empty() ? "The end comes too early" : "Unexpected '" + rest + "'", failure.which());
+    }
+    if (!term) evaluation.fail("No value");
+    const double result = term();
+    if (!std::isfinite(result)) evaluation.fail("The result is not finite");
+    return result;
+}
+
+std::string numberText(double value)
+{
+    char buffer[64];
+    if (value == std::trunc(value) && std::fabs(value) < 1e15)
+    {
+        std::snprintf(buffer, sizeof buffer, "%.0f", value);
+        return buffer;
+    }
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+    return std::string(buffer, end);
+}
+
+}

@@ -1,0 +1,50 @@
+#include "core/dictionary/IncludeFile.H"
+
+#include <cstdlib>
+
+namespace shizuku
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+fs::path environmentPath(const char* variable)
+{
+    const char* value = std::getenv(variable);
+    return value ? fs::path(value) : fs::path();
+}
+
+fs::path caseAbove(const fs::path& file)
+{
+    for (fs::path folder = fs::absolute(file).lexically_normal().parent_path(); ; folder = folder.parent_path())
+    {
+        if (fs::exists(folder/"system"/"controlDict")) return folder;
+        if (folder == folder.root_path()) return fs::current_path();
+    }
+}
+
+}
+
+std::optional<fs::path> findEtcFile(const std::string& name)
+{
+    for (const fs::path& folder : {environmentPath("HOME")/".shizuku", environmentPath("SHIZUKU_DIR")/"etc"})
+    {
+        if (folder.is_absolute() && fs::is_regular_file(folder/name)) return folder/name;
+    }
+    return {};
+}
+
+fs::path includePath(const std::string& name, const fs::path& includingFile)
+{
+    const auto behind = [&](const std::string& prefix) { return name.substr(prefix.size()); };
+    if (name.starts_with("~/")) return environmentPath("HOME")/behind("~/");
+    if (name.starts_with("<case>/")) return caseAbove(includingFile)/behind("<case>/");
+    if (name.starts_with("<system>/")) return caseAbove(includingFile)/"system"/behind("<system>/");
+    if (name.starts_with("<constant>/")) return caseAbove(includingFile)/"constant"/behind("<constant>/");
+    if (name.starts_with("<etc>/")) return findEtcFile(behind("<etc>/")).value_or(behind("<etc>/"));
+    return (includingFile.parent_path()/name).lexically_normal();
+}
+
+}
