@@ -25,11 +25,8 @@ function(shizuku_application path)
     target_link_libraries(${name} PRIVATE shizukuCore ${ARG_LINK})
 endfunction()
 
-# An application that runs on a device. Its sources are compiled once per backend into a module
-# lib<name>-<backend>.so (see Make/backends); the executable is the thin launcher that opens the one
-# that -device asks for. <name>.C defines   extern "C" int runOnDevice(int argc, char** argv).
-#     shizuku_device_application(solvers/pbfDroplet SOURCES pbfDroplet.C StepControl.C)
-# is called in Make/sources/deviceApplications.cmake, which each backend includes.
+# The executable of an application that runs on a device: a thin launcher that opens lib<name>-<backend>.so, the module
+# for the device that -device asks for (see Backend.cmake). <name>.C defines  extern "C" int runOnDevice(int argc, char** argv).
 function(shizuku_device_launcher name)
     add_executable(${name} ${PROJECT_SOURCE_DIR}/src/device/launcher/launcher.C)
     set_source_files_properties(${PROJECT_SOURCE_DIR}/src/device/launcher/launcher.C PROPERTIES LANGUAGE CXX)

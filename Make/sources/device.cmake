@@ -1,0 +1,40 @@
+# Compiled once per backend. Paths below src/.
+set(SHIZUKU_DEVICE_SOURCES
+    device/Algorithms.C
+    particles/Units.C
+    particles/FieldRegistry.C
+    particles/ParticleFiles.C
+    particles/Liquid.C
+    neighbours/CellGrid.C
+    neighbours/NeighbourList.C
+    neighbours/Neighbourhood.C
+    walls/HalfSpace.C
+    walls/Walls.C
+    motion/Motion.C
+    motion/LiquidState.C
+    models/Models.C
+    models/density/Density.C
+    models/forces/InterParticleForces.C
+    models/pressure/Pressure.C
+    models/pressure/none/none.C
+    models/pressure/pbf/Pbf.C
+    models/surfaceTension/SurfaceTension.C
+    models/surfaceTension/none/none.C
+    models/surfaceTension/pairTension/CohesionSpline.C
+    models/surfaceTension/pairTension/PairTension.C
+    models/surfaceTension/Akinci2013/Akinci2013.C
+    models/surfaceTension/Fujisawa2014/Fujisawa2014.C
+    models/wetting/Wetting.C
+    models/wetting/none/none.C
+    models/wetting/Akinci2013/Akinci2013.C
+    models/wetting/contactAngle/ContactAngle.C
+    models/viscosity/Viscosity.C
+    models/viscosity/none/none.C
+    models/viscosity/XSPH/XSPH.C
+    models/viscosity/laminar/Laminar.C
+    models/bodyForce/BodyForce.C
+    models/bodyForce/none/none.C
+    models/bodyForce/gravity/Gravity.C
+    functionObjects/FunctionObjects.C
+    functionObjects/liquidState/LiquidStateTable.C
+)

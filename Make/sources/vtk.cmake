@@ -1,0 +1,9 @@
+# Paths below src/.
+set(SHIZUKU_VTK_SOURCES
+    vtk/Picture.C
+    vtk/SoftShadow.C
+    vtk/StudioFloor.C
+    vtk/TimeSeries.C
+    vtk/VtkConversion.C
+    vtk/VtpFile.C
+)

@@ -1,0 +1,121 @@
+// pbfDroplet: liquid with surface tension on wettable solids, by position based fluids.
+//
+// The time loop is the algorithm. What each line computes, and from which paper, stands in the header it comes from.
+
+#include "DryRun.H"
+#include "StepControl.H"
+#include "StepReport.H"
+#include "core/arguments/runApplication.H"
+#include "functionObjects/FunctionObjects.H"
+#include "models/density/Density.H"
+#include "motion/Motion.H"
+#include "particles/ParticleFiles.H"
+
+#include <iostream>
+
+namespace shizuku
+{
+
+namespace
+{
+
+void pbfDroplet(const Arguments& args)
+{
+    const DeviceInfo device = openDevice();
+    std::cout << "Device : " << device.backend << ", " << device.name << "\n\n";
+
+    Time time(args.casePath());
+    const Dictionary solution = Dictionary::read(args.casePath() / "system/solution");
+    const Dictionary liquidDict = Dictionary::read(args.casePath() / "constant/liquidProperties");
+
+    Liquid liquid(LiquidProperties::read(solution, liquidDict), solution.subDictOrEmpty("kernel"));
+    Walls walls(args.casePath(), time.value(), liquid);
+    Models models(args.casePath(), solution, liquid, walls);
+    const StepControl control(time.controlDict());
+    FunctionObjects functions(time, !args.found("noFunctionObjects"));
+    solution.refuseUnused();
+    liquidDict.refuseUnused();
+
+    liquid.read(time.path());
+    walls.refuseLiquidInside(liquid);
+    Neighbourhood near(liquid);
+    LiquidStateMeter meter;
+    LiquidState state = meter.measure(liquid);
+    refuseDivergence(time, state, time.path());
+    std::cout << "Liquid particles " << liquid.owned() << ", solid particles " << walls.particles()
+              << ", analytic surfaces " << walls.surfaces() << std::endl;
+
+    if (args.found("dry-run")) return reportDryRun(time, control, liquid, walls, models, device, state);
+
+    std::string lastWritten = time.path();
+    while (time.running())
+    {
+        time.readIfModified();
+        const SubSteps steps = control.divide(time.deltaT(), state.maxSpeed, liquid, models);
+        const float dt = liquid.units().toScaled(steps.dt, dimensions::time);
+        time.advance();
+
+        for (int step = 0; step < steps.count; ++step)
+        {
+            models.bodyForce->apply(liquid, dt);
+            predictPositions(liquid, dt);
+
+            near.update(liquid);
+            walls.update(liquid);
+            models.forces.applyBeforeIterations(liquid, near, walls, dt);
+            walls.project(liquid);
+
+            models.pressure->begin();
+            while (models.pressure->violated(liquid, near, walls))
+            {
+                models.forces.applyInIteration(liquid, near, walls, dt);
+                models.pressure->correct(liquid, near, walls);
+                walls.project(liquid);
+            }
+
+            updateVelocities(liquid, dt);
+            models.viscosity->apply(liquid, near, walls, dt);
+        }
+
+        if (time.reportDue()) computeDensity(liquid, near, walls);
+        state = meter.measure(liquid);
+        refuseDivergence(time, state, lastWritten);
+        functions.execute(state);
+
+        if (time.reportDue()) reportStep(time, steps, models, state);
+        if (time.writeDue())
+        {
+            time.write([&](const auto& folder)
+            {
+                writeParticles(liquid, liquid.units(), folder / liquid.name(), time.format());
+            });
+            functions.write();
+            lastWritten = time.path();
+        }
+    }
+    functions.write();
+}
+
+}
+
+}
+
+extern "C" int runOnDevice(int argc, char** argv)
+{
+    using namespace shizuku;
+    return runApplication
+    (
+        argc, argv,
+        {
+            .name = "pbfDroplet",
+            .summary = "Liquid with surface tension on wettable solids, by position based fluids.",
+            .options =
+            {
+                {"device", "auto|cuda|cpu", "where to compute; auto takes a GPU where there is one", "auto"},
+                {"dry-run", "", "read and check everything, print memory and cost, run nothing", ""},
+                {"noFunctionObjects", "", "leave out the function objects of system/controlDict", ""}
+            }
+        },
+        pbfDroplet
+    );
+}

@@ -1,0 +1,113 @@
+#include "core/messages/Error.H"
+#include "device/Device.H"
+#include "device/Memory.H"
+
+#include <cuda_runtime.h>
+
+#include <cstdlib>
+
+namespace shizuku
+{
+
+namespace
+{
+
+void check(cudaError_t status, const std::string& what)
+{
+    if (status != cudaSuccess)
+    {
+        throw FatalError("CUDA: " + what + ": " + cudaGetErrorString(status));
+    }
+}
+
+void countAllocation(std::size_t bytes)
+{
+    auto& counters = deviceCounters();
+    counters.bytes += bytes;
+    counters.peakBytes = std::max(counters.peakBytes, counters.bytes);
+}
+
+}
+
+DeviceInfo openDevice()
+{
+    int count = 0;
+    const cudaError_t status = cudaGetDeviceCount(&count);
+    if (status != cudaSuccess || count == 0)
+    {
+        throw FatalError
+        (
+            "Device 'cuda' was asked for but no GPU answers: "
+          + std::string(status == cudaSuccess ? "none is there" : cudaGetErrorString(status))
+          + "\n    Valid choices are auto, cpu, cuda; 'auto' takes the CPU where there is no GPU."
+        );
+    }
+    check(cudaSetDevice(0), "cannot select GPU 0");
+    cudaDeviceProp properties{};
+    check(cudaGetDeviceProperties(&properties, 0), "cannot read the properties of GPU 0");
+    return {"cuda", properties.name, properties.totalGlobalMem};
+}
+
+void synchronize()
+{
+    check(cudaDeviceSynchronize(), "a kernel failed");
+}
+
+DeviceCounters& deviceCounters()
+{
+    static DeviceCounters counters;
+    return counters;
+}
+
+namespace device
+{
+
+void checkLaunch()
+{
+    check(cudaGetLastError(), "cannot launch a kernel");
+}
+
+void* allocate(std::size_t bytes)
+{
+    void* memory = nullptr;
+    if (bytes == 0) return memory;
+    check
+    (
+        cudaMalloc(&memory, bytes),
+        "cannot allocate " + std::to_string(bytes >> 20) + " MiB beside the "
+      + std::to_string(deviceCounters().bytes >> 20) + " MiB in use"
+    );
+    countAllocation(bytes);
+    return memory;
+}
+
+void release(void* memory, std::size_t bytes) noexcept
+{
+    if (!memory) return;
+    cudaFree(memory);
+    deviceCounters().bytes -= bytes;
+}
+
+void copyToDevice(void* target, const void* source, std::size_t bytes)
+{
+    check(cudaMemcpy(target, source, bytes, cudaMemcpyHostToDevice), "copy to the device");
+}
+
+void copyToHost(void* target, const void* source, std::size_t bytes)
+{
+    check(cudaMemcpy(target, source, bytes, cudaMemcpyDeviceToHost), "copy from the device");
+}
+
+void copyOnDevice(void* target, const void* source, std::size_t bytes)
+{
+    check(cudaMemcpyAsync(target, source, bytes, cudaMemcpyDeviceToDevice), "copy on the device");
+}
+
+void setBytes(void* target, int value, std::size_t bytes)
+{
+    check(cudaMemsetAsync(target, value, bytes), "set memory");
+}
+
+}
+
+}

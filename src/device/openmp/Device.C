@@ -1,0 +1,73 @@
+#include "core/messages/Error.H"
+#include "device/Device.H"
+#include "device/Memory.H"
+
+#include <omp.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+
+namespace shizuku
+{
+
+namespace
+{
+
+std::string processorName()
+{
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+    {
+        if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+    }
+    return "processor";
+}
+
+}
+
+DeviceInfo openDevice()
+{
+    const std::size_t memory = std::size_t(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGE_SIZE);
+    return {"cpu", processorName() + ", " + std::to_string(omp_get_max_threads()) + " threads", memory};
+}
+
+void synchronize() {}
+
+DeviceCounters& deviceCounters()
+{
+    static DeviceCounters counters;
+    return counters;
+}
+
+namespace device
+{
+
+void* allocate(std::size_t bytes)
+{
+    if (bytes == 0) return nullptr;
+    void* memory = std::aligned_alloc(64, (bytes + 63) / 64 * 64);
+    if (!memory) throw FatalError("Cannot allocate " + std::to_string(bytes >> 20) + " MiB of memory");
+    auto& counters = deviceCounters();
+    counters.bytes += bytes;
+    counters.peakBytes = std::max(counters.peakBytes, counters.bytes);
+    return memory;
+}
+
+void release(void* memory, std::size_t bytes) noexcept
+{
+    if (!memory) return;
+    std::free(memory);
+    deviceCounters().bytes -= bytes;
+}
+
+void copyToDevice(void* target, const void* source, std::size_t bytes) { std::memcpy(target, source, bytes); }
+void copyToHost(void* target, const void* source, std::size_t bytes) { std::memcpy(target, source, bytes); }
+void copyOnDevice(void* target, const void* source, std::size_t bytes) { std::memcpy(target, source, bytes); }
+void setBytes(void* target, int value, std::size_t bytes) { std::memset(target, value, bytes); }
+
+}
+
+}

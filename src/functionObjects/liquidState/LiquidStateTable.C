@@ -1,0 +1,61 @@
+// The liquid as a whole over time: volume, kinetic energy, largest speed, centroid, momentum, density error.
+//
+//     drop
+//     {
+//         type            liquidState;
+//         executeInterval 10;             // steps between rows; default 1
+//     }
+
+#include "core/fieldFile/CsvFile.H"
+#include "functionObjects/FunctionObject.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+class LiquidStateTable : public FunctionObject
+{
+public:
+    LiquidStateTable(const Dictionary& dict, const std::filesystem::path& folder)
+    :
+        interval_(dict.lookupOr("executeInterval", 1)),
+        table_
+        (
+            folder / "liquidState.csv",
+            {
+                {"time", "s"}, {"volume", "m3"}, {"kineticEnergy", "J"}, {"maxSpeed", "m/s"},
+                {"centroidX", "m"}, {"centroidY", "m"}, {"centroidZ", "m"},
+                {"momentumX", "kg m/s"}, {"momentumY", "kg m/s"}, {"momentumZ", "kg m/s"},
+                {"averageDensityError", ""}, {"maxDensityError", ""}
+            }
+        )
+    {
+        if (interval_ < 1) throw FatalInputError(dict.where("executeInterval"), "executeInterval is not positive", "1 or more");
+    }
+
+    void execute(const Time& time, const LiquidState& state) override
+    {
+        if (time.index() % interval_ != 0) return;
+        const auto& x = state.centroid;
+        const auto& m = state.momentum;
+        table_.addRow
+        ({
+            time.value(), state.volume, state.kineticEnergy, state.maxSpeed, x[0], x[1], x[2], m[0], m[1], m[2],
+            state.averageDensityError, state.maxDensityError
+        });
+    }
+
+    void write() override { table_.write(); }
+
+private:
+    long interval_;
+    CsvFile table_;
+};
+
+const FunctionObjectTable::Add<LiquidStateTable> registered{"liquidState"};
+
+}
+
+}

@@ -1,0 +1,48 @@
+#include "models/Models.H"
+
+#include <algorithm>
+
+namespace shizuku
+{
+
+namespace
+{
+
+// A case may keep the coefficients of models that it does not use at present.
+void toleratePassiveCoefficients(const Dictionary& models)
+{
+    std::vector<std::string> known;
+    for (const auto& words : {SurfaceTensionTable::words(), WettingTable::words(), ViscosityTable::words()})
+    {
+        for (const std::string& word : words) known.push_back(word + "Coeffs");
+    }
+    const std::vector<std::string> chosen
+    {
+        models.lookup<std::string>("surfaceTension") + "Coeffs", models.lookup<std::string>("wetting") + "Coeffs",
+        models.lookup<std::string>("viscosity") + "Coeffs"
+    };
+    const auto contains = [](const auto& list, const std::string& key)
+    {
+        return std::find(list.begin(), list.end(), key) != list.end();
+    };
+    for (const std::string& key : models.keys())
+    {
+        if (contains(known, key) && !contains(chosen, key)) models.subDict(key).markUsed();
+    }
+}
+
+}
+
+Models::Models(const std::filesystem::path& casePath, const Dictionary& solution, Liquid& liquid, Walls& walls)
+:
+    dict(Dictionary::read(casePath / "constant/models")),
+    bodyForce(BodyForce::New(dict, casePath / "constant", liquid)),
+    forces(dict, liquid, walls),
+    pressure(Pressure::New(dict, solution, liquid)),
+    viscosity(Viscosity::New(dict, liquid))
+{
+    toleratePassiveCoefficients(dict);
+    dict.refuseUnused();
+}
+
+}

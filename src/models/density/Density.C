@@ -1,0 +1,36 @@
+#include "models/density/Density.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+template<class Kernel>
+struct StoreDensity
+{
+    DensityOf<Kernel> densityOf;
+    Span<float> density;
+
+    HOST_DEVICE void operator()(int i) const { density[i] = densityOf(i); }
+};
+
+}
+
+void computeDensity(Liquid& liquid, const Neighbourhood& near, const Walls& walls)
+{
+    std::visit
+    (
+        [&]<class Kernel>(const Kernel& W)
+        {
+            const DensityOf<Kernel> densityOf
+            {
+                W, liquid.particleVolume() / liquid.latticeSum(), liquid.predicted.span(), near.view(), walls.view()
+            };
+            forEach(liquid.owned(), StoreDensity<Kernel>{densityOf, liquid.density.span()});
+        },
+        liquid.kernel()
+    );
+}
+
+}

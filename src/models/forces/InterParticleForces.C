@@ -1,0 +1,38 @@
+#include "models/forces/InterParticleForces.H"
+
+#include "motion/Motion.H"
+
+namespace shizuku
+{
+
+InterParticleForces::InterParticleForces(const Dictionary& models, Liquid& liquid, Walls& walls)
+:
+    everyIteration_
+    (
+        models.lookupChoiceOr("forceCoupling", {"predictor", "everyIteration"}, "predictor") == "everyIteration"
+    ),
+    tension_(SurfaceTension::New(models, liquid, walls)),
+    wetting_(Wetting::New(models, liquid, walls, *tension_))
+{}
+
+void InterParticleForces::applyBeforeIterations(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt)
+{
+    if (!everyIteration_) apply(liquid, near, walls, dt);
+}
+
+void InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt)
+{
+    if (everyIteration_) apply(liquid, near, walls, dt);
+}
+
+void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt)
+{
+    if (!active()) return;
+    acceleration_.resizeDiscarding(liquid.all());
+    acceleration_.setZero();
+    tension_->apply(liquid, near, walls, acceleration_);
+    wetting_->apply(liquid, walls, acceleration_);
+    displace(liquid, acceleration_, dt);
+}
+
+}

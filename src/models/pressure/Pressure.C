@@ -1,0 +1,15 @@
+#include "models/pressure/Pressure.H"
+
+namespace shizuku
+{
+
+std::unique_ptr<Pressure> Pressure::New(const Dictionary& models, const Dictionary& solution, Liquid& liquid)
+{
+    return PressureTable::New
+    (
+        "pressure", models.lookup<std::string>("pressure"), models.where("pressure"),
+        solution.subDictOrEmpty("pressure"), liquid
+    );
+}
+
+}

@@ -1,0 +1,26 @@
+// No pressure: particles fly freely.
+
+#include "models/pressure/Pressure.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+class NoPressure : public Pressure
+{
+public:
+    NoPressure(const Dictionary& dict, Liquid&) { dict.markUsed(); }
+
+    void begin() override {}
+    bool violated(Liquid&, const Neighbourhood&, const Walls&) override { return false; }
+    void correct(Liquid&, const Neighbourhood&, const Walls&) override {}
+    int iterations() const override { return 0; }
+};
+
+const PressureTable::Add<NoPressure> registered{"none"};
+
+}
+
+}

@@ -1,0 +1,27 @@
+// Akinci, Akinci and Teschner 2013, Versatile surface tension and adhesion for SPH fluids: cohesion and area
+// minimisation among liquid particles; solids do not touch the normals.
+//
+//     surfaceTension  Akinci2013;
+
+#include "models/surfaceTension/pairTension/PairTension.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+class Akinci2013 : public PairTension
+{
+public:
+    Akinci2013(const Dictionary& coeffs, Liquid& liquid, Walls& walls)
+    :
+        PairTension(coeffs, liquid, walls, WallNormals::no)
+    {}
+};
+
+const SurfaceTensionTable::Add<Akinci2013> registered{"Akinci2013"};
+
+}
+
+}

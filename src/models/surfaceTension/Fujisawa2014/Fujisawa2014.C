@@ -1,0 +1,27 @@
+// Fujisawa, Imai and Mikawa 2014, Fluid-solid interaction simulation using inter-particle potential force: as Akinci et
+// al. 2013, with the solids' share A(theta) = 1 + cos theta in the normals, equations (22) and (23).
+//
+//     surfaceTension  Fujisawa2014;
+
+#include "models/surfaceTension/pairTension/PairTension.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+class Fujisawa2014 : public PairTension
+{
+public:
+    Fujisawa2014(const Dictionary& coeffs, Liquid& liquid, Walls& walls)
+    :
+        PairTension(coeffs, liquid, walls, WallNormals::yes)
+    {}
+};
+
+const SurfaceTensionTable::Add<Fujisawa2014> registered{"Fujisawa2014"};
+
+}
+
+}

@@ -1,0 +1,15 @@
+#include "models/surfaceTension/SurfaceTension.H"
+
+namespace shizuku
+{
+
+std::unique_ptr<SurfaceTension> SurfaceTension::New(const Dictionary& models, Liquid& liquid, Walls& walls)
+{
+    const auto word = models.lookup<std::string>("surfaceTension");
+    return SurfaceTensionTable::New
+    (
+        "surfaceTension", word, models.where("surfaceTension"), models.subDictOrEmpty(word + "Coeffs"), liquid, walls
+    );
+}
+
+}

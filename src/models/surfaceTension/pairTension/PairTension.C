@@ -1,0 +1,130 @@
+#include "models/surfaceTension/pairTension/PairTension.H"
+
+#include "models/density/Density.H"
+#include "models/surfaceTension/pairTension/CohesionSpline.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr Dimensions cohesionDimensions{{-1, 4, -2, 0, 0, 0, 0}};
+
+template<class Kernel>
+struct Normal
+{
+    Kernel W;
+    float volume;
+    bool wallShare;
+    Span<const Vec3> x;
+    Span<const float> density;
+    NeighbourView near;
+    WallView walls;
+    Span<Vec3> normal;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 xi = x[i];
+        Vec3 sum;
+        near.forEach(i, [&](int j)
+        {
+            const Vec3 r = xi - x[j];
+            sum += volume / density[j] * W.g(norm(r)) * r;
+        });
+        if (wallShare)
+        {
+            walls.particles.near.forEach(i, [&](int k)
+            {
+                const Vec3 r = xi - walls.particles.position[k];
+                sum += (1 + walls.particles.cosTheta[k]) * walls.particles.volume[k] * W.g(norm(r)) * r;
+            });
+            walls.surfaces.forEach(xi, [&](const WallSurface& surface, const WallSurface::Place& place, const HalfSpaceValues& values)
+            {
+                sum -= (1 + surface.cosTheta) * values.gradient * place.normal;
+            });
+        }
+        normal[i] = W.h * sum;
+    }
+};
+
+struct PairForce
+{
+    CohesionSpline C;
+    float cohesion, area;               // gamma m, gamma rho_A
+    Span<const Vec3> x, normal;
+    Span<const float> density;
+    NeighbourView near;
+    Span<Vec3> acceleration;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 xi = x[i], ni = normal[i];
+        const float densityI = density[i];
+        Vec3 sum;
+        near.forEach(i, [&](int j)
+        {
+            const Vec3 r = xi - x[j];
+            const float distance = norm(r), K = 2 / (densityI + density[j]);
+            if (distance > 0) sum -= K * cohesion * C(distance) / distance * r;
+            sum -= K * area * (ni - normal[j]);
+        });
+        acceleration[i] += sum;
+    }
+};
+
+}
+
+PairCoefficients readPairCoefficients(const Dictionary& coeffs, const Liquid& liquid)
+{
+    const LiquidProperties& p = liquid.properties();
+    const double h = liquid.units().toSI(liquid.support(), dimensions::length);
+    const double gamma = coeffs.lookupDimensionedOr
+    (
+        "gamma", cohesionDimensions, cohesionCoefficient(p.surfaceTension, p.density, h)
+    );
+    const double areaWeight = coeffs.lookupOr("areaWeight", 1e-3);
+    if (!(gamma >= 0)) throw FatalInputError(coeffs.where("gamma"), "A negative coefficient gamma", "0 or more");
+    if (!(areaWeight >= 0)) throw FatalInputError(coeffs.where("areaWeight"), "A negative areaWeight", "0 or more");
+    return
+    {
+        liquid.units().toScaled(gamma, cohesionDimensions),
+        liquid.units().toScaled(gamma * areaWeight * p.density, dimensions::acceleration)
+    };
+}
+
+PairTension::PairTension(const Dictionary& coeffs, Liquid& liquid, Walls& walls, WallNormals wallNormals)
+:
+    coefficients_(readPairCoefficients(coeffs, liquid)),
+    wallNormals_(wallNormals),
+    normal_(liquid.fields().require<Vec3>
+    ({
+        .name = "normal", .dimensions = dimensions::none, .sorted = false, .written = false, .exchanged = true
+    }))
+{
+    if (wallNormals == WallNormals::yes) walls.requireContactAngles();
+}
+
+void PairTension::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration)
+{
+    computeDensity(liquid, near, walls);
+    std::visit
+    (
+        [&]<class Kernel>(const Kernel& W)
+        {
+            forEach(liquid.owned(), Normal<Kernel>
+            {
+                W, liquid.particleVolume(), wallNormals_ == WallNormals::yes, liquid.predicted.span(),
+                liquid.density.span(), near.view(), walls.view(), normal_.span()
+            });
+        },
+        liquid.kernel()
+    );
+    forEach(liquid.owned(), PairForce
+    {
+        {liquid.support()}, coefficients_.cohesion * liquid.particleMass(), coefficients_.area,
+        liquid.predicted.span(), normal_.span(), liquid.density.span(), near.view(), acceleration.span()
+    });
+}
+
+}

@@ -1,0 +1,71 @@
+// XSPH: velocities drift towards their neighbours' mean (Monaghan 1989; Macklin and Mueller 2013, equation (17)).
+//
+//     u_i += c sum_j V (u_j - u_i) W_ij
+//
+// A smoothing per step, not a physical viscosity: nu does not enter, and the damping of a second depends on the step.
+//
+//     viscosity   XSPH;
+//     XSPHCoeffs  { c 0.05; }
+
+#include "models/viscosity/Viscosity.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+template<class Kernel>
+struct Smooth
+{
+    Kernel W;
+    float weight;                       // c V
+    Span<const Vec3> x, velocity;
+    NeighbourView near;
+    Span<Vec3> smoothed;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 xi = x[i], ui = velocity[i];
+        Vec3 sum;
+        near.forEach(i, [&](int j) { sum += W.W(norm(xi - x[j])) * (velocity[j] - ui); });
+        smoothed[i] = ui + weight * sum;
+    }
+};
+
+class XSPH : public Viscosity
+{
+public:
+    XSPH(const Dictionary& coeffs, Liquid&) : c_(float(coeffs.lookupOr("c", 0.05)))
+    {
+        if (!(c_ >= 0 && c_ <= 1)) throw FatalInputError(coeffs.where("c"), "Coefficient c is out of range", "0 to 1");
+    }
+
+    void apply(Liquid& liquid, const Neighbourhood& near, const Walls&, float) override
+    {
+        smoothed_.resizeDiscarding(liquid.all());
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                forEach(liquid.owned(), Smooth<Kernel>
+                {
+                    W, c_ * liquid.particleVolume(), liquid.position.span(), liquid.velocity.span(), near.view(),
+                    smoothed_.span()
+                });
+            },
+            liquid.kernel()
+        );
+        liquid.velocity.swap(smoothed_);
+    }
+
+private:
+    float c_;
+    Buffer<Vec3> smoothed_;
+};
+
+const ViscosityTable::Add<XSPH> registered{"XSPH"};
+
+}
+
+}

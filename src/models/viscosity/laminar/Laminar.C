@@ -1,0 +1,91 @@
+// Newtonian viscosity nu of constant/liquidProperties: the Laplacian of Morris, Fox and Zhu 1997.
+//
+//     du_i/dt = sum_j 2 nu V (x_ij . grad W_ij)/(r^2 + 0.01 h^2) (u_i - u_j)
+//
+// Walls are at rest; with noSlip their share is summed too (half-space values for analytic walls). Explicit, so the
+// step is limited to 0.125 d^2/nu.
+//
+//     viscosity      laminar;
+//     laminarCoeffs  { noSlip yes; }
+
+#include "models/viscosity/Viscosity.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+template<class Kernel>
+struct Diffuse
+{
+    Kernel W;
+    float nuDt, volume;
+    bool noSlip;
+    Span<const Vec3> x, velocity;
+    NeighbourView near;
+    WallView walls;
+    Span<Vec3> diffused;
+
+    HOST_DEVICE float weight(float r) const { return 2 * r * r * W.g(r) / (r * r + 0.01f * W.h * W.h); }
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 xi = x[i], ui = velocity[i];
+        Vec3 sum;
+        near.forEach(i, [&](int j) { sum += volume * weight(norm(xi - x[j])) * (ui - velocity[j]); });
+        if (noSlip)
+        {
+            walls.particles.near.forEach(i, [&](int k)
+            {
+                sum += walls.particles.volume[k] * weight(norm(xi - walls.particles.position[k])) * ui;
+            });
+            walls.surfaces.forEach(xi, [&](const WallSurface&, const WallSurface::Place&, const HalfSpaceValues& values)
+            {
+                sum -= values.drag * ui;
+            });
+        }
+        diffused[i] = ui + nuDt * sum;
+    }
+};
+
+class Laminar : public Viscosity
+{
+public:
+    Laminar(const Dictionary& coeffs, Liquid& liquid)
+    :
+        noSlip_(coeffs.lookupOr("noSlip", true)),
+        nu_(liquid.units().toScaled(liquid.properties().viscosity, dimensions::kinematicViscosity))
+    {}
+
+    void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt) override
+    {
+        diffused_.resizeDiscarding(liquid.all());
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                forEach(liquid.owned(), Diffuse<Kernel>
+                {
+                    W, nu_ * dt, liquid.particleVolume(), noSlip_, liquid.position.span(), liquid.velocity.span(),
+                    near.view(), walls.view(), diffused_.span()
+                });
+            },
+            liquid.kernel()
+        );
+        liquid.velocity.swap(diffused_);
+    }
+
+    double stepLimit(const LiquidProperties& p) const override { return 0.125 * p.spacing * p.spacing / p.viscosity; }
+
+private:
+    bool noSlip_;
+    float nu_;
+    Buffer<Vec3> diffused_;
+};
+
+const ViscosityTable::Add<Laminar> registered{"laminar"};
+
+}
+
+}

@@ -1,0 +1,22 @@
+// An inviscid liquid.
+
+#include "models/viscosity/Viscosity.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+class NoViscosity : public Viscosity
+{
+public:
+    NoViscosity(const Dictionary&, Liquid&) {}
+    void apply(Liquid&, const Neighbourhood&, const Walls&, float) override {}
+};
+
+const ViscosityTable::Add<NoViscosity> registered{"none"};
+
+}
+
+}

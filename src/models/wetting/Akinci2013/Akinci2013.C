@@ -1,0 +1,104 @@
+// Adhesion of Akinci et al. 2013: solids pull, and pull only; the shape of the surface does not enter.
+//
+//     a_ik = -beta rho0 V_k A(r) r_ik/r,   A(r) = 0.007/h^3.25 (-4 r^2/h + 6 r - 2 h)^(1/4)   for h/2 < r <= h
+//
+// The root's argument is rounded below zero near r = h and r = h/2; it is clamped there. Its theory gives no way from
+// theta to beta: beta = gamma (1 + cos theta)/2, the cohesion's share by equation (30), unless the case gives a number.
+//
+//     wetting           Akinci2013;
+//     Akinci2013Coeffs  { beta 1.2; }         // m4/(kg s2)
+
+#include "models/wetting/Wetting.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr Dimensions adhesionDimensions{{-1, 4, -2, 0, 0, 0, 0}};
+
+struct AdhesionSpline
+{
+    float h;
+
+    HOST_DEVICE float operator()(float r) const
+    {
+        const float q = r / h;
+        if (q <= 0.5f || q > 1) return 0;
+        return 0.007f / (h * h * h) * sqrtf(sqrtf(fmaxf(-4 * q * q + 6 * q - 2, 0)));
+    }
+};
+
+struct Adhesion
+{
+    AdhesionSpline A;
+    float gamma, beta;                  // beta < 0: from gamma and theta
+    float restDensity;
+    Span<const Vec3> x;
+    WallParticlesView solid;
+    Span<Vec3> acceleration;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 xi = x[i];
+        Vec3 sum;
+        solid.near.forEach(i, [&](int k)
+        {
+            const Vec3 r = xi - solid.position[k];
+            const float distance = norm(r);
+            const float strength = beta < 0 ? 0.5f * gamma * (1 + solid.cosTheta[k]) : beta;
+            if (distance > 0) sum -= strength * restDensity * solid.volume[k] * A(distance) / distance * r;
+        });
+        acceleration[i] += sum;
+    }
+};
+
+class Akinci2013 : public Wetting
+{
+public:
+    Akinci2013(const Dictionary& coeffs, Liquid& liquid, Walls& walls, const SurfaceTension& tension)
+    :
+        gamma_(0), beta_(-1)
+    {
+        if (coeffs.found("beta"))
+        {
+            beta_ = liquid.units().toScaled
+            (
+                coeffs.lookupPositive("beta", adhesionDimensions, true), adhesionDimensions
+            );
+        }
+        else
+        {
+            gamma_ = requirePairCoefficients(tension, coeffs).cohesion;
+            walls.requireContactAngles();
+        }
+        if (walls.surfaces() > 0)
+        {
+            throw FatalInputError
+            (
+                coeffs.where(), "The wetting model Akinci2013 acts between particles, and this case has analytic walls",
+                "walls of type particles, or another wetting model"
+            );
+        }
+    }
+
+    void apply(Liquid& liquid, const Walls& walls, Buffer<Vec3>& acceleration) override
+    {
+        if (walls.particles() == 0) return;
+        forEach(liquid.owned(), Adhesion
+        {
+            {liquid.support()}, gamma_, beta_, liquid.restDensity(), liquid.predicted.span(), walls.view().particles,
+            acceleration.span()
+        });
+    }
+
+private:
+    float gamma_, beta_;
+};
+
+const WettingTable::Add<Akinci2013> registered{"Akinci2013"};
+
+}
+
+}

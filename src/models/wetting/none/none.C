@@ -1,0 +1,24 @@
+// Walls neither attract nor repel.
+
+#include "models/wetting/Wetting.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+class NoWetting : public Wetting
+{
+public:
+    NoWetting(const Dictionary&, Liquid&, Walls&, const SurfaceTension&) {}
+
+    bool active() const override { return false; }
+    void apply(Liquid&, const Walls&, Buffer<Vec3>&) override {}
+};
+
+const WettingTable::Add<NoWetting> registered{"none"};
+
+}
+
+}

@@ -1,0 +1,77 @@
+#include "motion/LiquidState.H"
+
+namespace shizuku
+{
+
+HOST_DEVICE void LiquidSums::add(const LiquidSums& other)
+{
+    speed2 += other.speed2;
+    volume += other.volume;
+    compression += other.compression;
+    for (int c = 0; c < 3; ++c)
+    {
+        position[c] += other.position[c];
+        velocity[c] += other.velocity[c];
+    }
+    mostSpeed2 = fmaxf(mostSpeed2, other.mostSpeed2);
+    mostCompression = fmaxf(mostCompression, other.mostCompression);
+    nonFinite += other.nonFinite;
+}
+
+namespace
+{
+
+struct SumsOfParticle
+{
+    Span<const Vec3> position, velocity;
+    Span<const float> density;
+
+    HOST_DEVICE LiquidSums operator()(int i) const
+    {
+        const Vec3 x = position[i], u = velocity[i];
+        const float speed2 = squared(u), compression = fmaxf(density[i] - 1, 0);
+        LiquidSums sums;
+        if (!(squared(x) < 1e30f && speed2 < 1e30f))
+        {
+            sums.nonFinite = 1;
+            return sums;
+        }
+        sums.speed2 = sums.mostSpeed2 = speed2;
+        sums.volume = 1 / (1 + compression);
+        sums.compression = sums.mostCompression = compression;
+        sums.position[0] = x.x, sums.position[1] = x.y, sums.position[2] = x.z;
+        sums.velocity[0] = u.x, sums.velocity[1] = u.y, sums.velocity[2] = u.z;
+        return sums;
+    }
+};
+
+}
+
+LiquidState LiquidStateMeter::measure(const Liquid& liquid)
+{
+    const int n = liquid.owned();
+    const LiquidSums sums = reduce
+    (
+        n, SumsOfParticle{liquid.position.span(), liquid.velocity.span(), liquid.density.span()}, scratch_
+    );
+    const Units& units = liquid.units();
+    const LiquidProperties& p = liquid.properties();
+    const double speed = units.of(dimensions::velocity);
+
+    LiquidState state;
+    state.nonFinite = sums.nonFinite;
+    state.volume = p.particleVolume() * sums.volume;
+    state.kineticEnergy = 0.5 * p.particleMass() * sums.speed2 * speed * speed;
+    state.maxSpeed = std::sqrt(double(sums.mostSpeed2)) * speed;
+    state.maxDensityError = sums.mostCompression;
+    if (n == 0) return state;
+    state.averageDensityError = sums.compression / n;
+    for (int c = 0; c < 3; ++c)
+    {
+        state.centroid[c] = sums.position[c] / n * units.length;
+        state.momentum[c] = p.particleMass() * sums.velocity[c] * speed;
+    }
+    return state;
+}
+
+}

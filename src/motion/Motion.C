@@ -1,0 +1,59 @@
+#include "motion/Motion.H"
+
+#include "device/ForEach.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct Predict
+{
+    float dt;
+    Span<const Vec3> position, velocity;
+    Span<Vec3> predicted;
+
+    HOST_DEVICE void operator()(int i) const { predicted[i] = position[i] + dt * velocity[i]; }
+};
+
+struct Displace
+{
+    float dt2;
+    Span<const Vec3> acceleration;
+    Span<Vec3> predicted;
+
+    HOST_DEVICE void operator()(int i) const { predicted[i] += dt2 * acceleration[i]; }
+};
+
+struct Update
+{
+    float perStep;
+    Span<const Vec3> predicted;
+    Span<Vec3> position, velocity;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        velocity[i] = perStep * (predicted[i] - position[i]);
+        position[i] = predicted[i];
+    }
+};
+
+}
+
+void predictPositions(Liquid& liquid, float dt)
+{
+    forEach(liquid.owned(), Predict{dt, liquid.position.span(), liquid.velocity.span(), liquid.predicted.span()});
+}
+
+void displace(Liquid& liquid, const Buffer<Vec3>& acceleration, float dt)
+{
+    forEach(liquid.owned(), Displace{dt * dt, acceleration.span(), liquid.predicted.span()});
+}
+
+void updateVelocities(Liquid& liquid, float dt)
+{
+    forEach(liquid.owned(), Update{1 / dt, liquid.predicted.span(), liquid.position.span(), liquid.velocity.span()});
+}
+
+}

@@ -1,0 +1,69 @@
+#include "neighbours/CellGrid.H"
+
+#include "device/Algorithms.H"
+#include "device/ForEach.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct AssignKeys
+{
+    CellGridView grid;
+    Span<const Vec3> positions;
+    Span<std::uint32_t> keys, order;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        keys[i] = grid.key(positions[i]);
+        order[i] = std::uint32_t(i);
+    }
+};
+
+// Particle i, the first of its cell, closes every cell between the previous occupied one and its own.
+struct FindStarts
+{
+    Span<const std::uint32_t> keys;
+    Span<std::uint32_t> start;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const int n = keys.size;
+        const std::uint32_t from = i == 0 ? 0 : keys[i - 1] + 1;
+        const std::uint32_t to = i == n ? std::uint32_t(start.size - 1) : keys[i];
+        for (std::uint32_t k = from; k <= to; ++k) start[int(k)] = std::uint32_t(i);
+    }
+};
+
+}
+
+void CellGrid::chooseSize(int n)
+{
+    // About one cell a particle: a full cell holds eight or more, so liquid spread thinly still finds room.
+    std::uint32_t bits = 6;
+    while (bits < 27 && (1u << bits) < std::uint32_t(n)) ++bits;
+    bitsX_ = (bits + 2) / 3;
+    bitsY_ = (bits + 1) / 3;
+    bitsZ_ = bits / 3;
+    start_.resizeDiscarding((1 << bits) + 1);
+}
+
+CellGridView CellGrid::view() const
+{
+    return {cellSize_, bitsX_, bitsY_, bitsZ_, start_.span()};
+}
+
+const Buffer<std::uint32_t>& CellGrid::build(Span<const Vec3> positions, int n)
+{
+    chooseSize(n);
+    keys_.resizeDiscarding(n);
+    order_.resizeDiscarding(n);
+    forEach(n, AssignKeys{view(), positions, keys_.span(), order_.span()});
+    sortByKey(keys_, order_);
+    forEach(n + 1, FindStarts{keys_.span(), start_.span()});
+    return order_;
+}
+
+}

@@ -1,0 +1,87 @@
+#include "particles/Liquid.H"
+
+#include "particles/ParticleFiles.H"
+
+#include <cmath>
+
+namespace shizuku
+{
+
+namespace
+{
+
+float sumOverLattice(const KernelChoice& kernel, float spacing)
+{
+    const float h = supportOf(kernel);
+    const int n = int(h / spacing) + 1;
+    double sum = 0;
+    for (int i = -n; i <= n; ++i)
+        for (int j = -n; j <= n; ++j)
+            for (int k = -n; k <= n; ++k)
+            {
+                const float r = spacing * std::sqrt(float(i * i + j * j + k * k));
+                sum += std::visit([r](const auto& W) { return W.W(r); }, kernel);
+            }
+    return float(sum * spacing * spacing * spacing);
+}
+
+}
+
+LiquidProperties LiquidProperties::read(const Dictionary& solution, const Dictionary& liquidProperties)
+{
+    return
+    {
+        solution.lookupPositive("spacing", dimensions::length),
+        liquidProperties.lookupPositive("rho", dimensions::density),
+        liquidProperties.lookupPositive("nu", dimensions::kinematicViscosity, true),
+        liquidProperties.lookupPositive("sigma", dimensions::surfaceTension, true)
+    };
+}
+
+double LiquidProperties::characteristicTime() const
+{
+    constexpr double gravity = 9.81;
+    return surfaceTension > 0 ? std::sqrt(particleMass() / surfaceTension) : std::sqrt(spacing / gravity);
+}
+
+Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)
+:
+    ParticleSet("liquid"),
+    position(fields().add<Vec3>
+    ({
+        .name = "positions", .dimensions = dimensions::length, .written = true, .restarted = true, .exchanged = true
+    })),
+    velocity(fields().add<Vec3>
+    ({
+        .name = "U", .dimensions = dimensions::velocity, .written = true, .restarted = true, .exchanged = true
+    })),
+    predicted(fields().add<Vec3>({.name = "predicted", .dimensions = dimensions::length, .exchanged = true})),
+    density(fields().add<float>({.name = "densityRatio", .dimensions = dimensions::none, .written = true})),
+    id(fields().add<std::uint32_t>({.name = "id", .dimensions = dimensions::none, .written = true, .restarted = true})),
+    properties_(properties),
+    units_(Units::near(properties.spacing, properties.characteristicTime(), properties.particleMass())),
+    spacing_(units_.toScaled(properties.spacing, dimensions::length)),
+    restDensity_(units_.toScaled(properties.density, dimensions::density)),
+    kernel_(makeKernel
+    (
+        kernelDict.lookupChoiceOr("type", kernelWords(), CubicSpline::word),
+        spacing_ * float(kernelDict.lookupOr("support", 2.0))
+    )),
+    latticeSum_(sumOverLattice(kernel_, spacing_))
+{
+    if (!(supportOf(kernel_) > spacing_))
+    {
+        throw FatalInputError
+        (
+            kernelDict.where("support"), "The kernel's support is not larger than the particle spacing",
+            "a number of spacings between 1.5 and 4"
+        );
+    }
+}
+
+void Liquid::read(const std::filesystem::path& timeFolder)
+{
+    readParticles(*this, units_, timeFolder / name());
+}
+
+}
