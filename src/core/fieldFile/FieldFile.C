@@ -4,10 +4,12 @@
 #include "core/fieldFile/FieldCursor.H"
 #include "core/fieldFile/FieldListReader.H"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <optional>
 
 namespace shizuku
 {
@@ -40,7 +42,6 @@ struct FieldText
 FieldText splitText(const std::string& file, const std::string& text)
 {
     FieldCursor cursor(file, text);
-    std::size_t dimensionsEnd = std::string::npos;
     while (!cursor.atEnd())
     {
         const std::size_t start = cursor.position();
@@ -52,8 +53,7 @@ FieldText splitText(const std::string& file, const std::string& text)
         const std::string keyword = cursor.word();
         if (keyword != "internalField")
         {
-            const std::size_t end = cursor.skipEntry();
-            if (keyword == "dimensions") dimensionsEnd = end;
+            cursor.skipEntry();
             continue;
         }
 
@@ -76,8 +76,6 @@ FieldText splitText(const std::string& file, const std::string& text)
         {
             FieldCursor(file, text, kindStart).fail("uniform or nonuniform behind internalField");
         }
-        // A value behind the dimension set lets the dictionary check the set as that of a dimensioned entry.
-        if (dimensionsEnd < result.dictionary.size()) result.dictionary.insert(dimensionsEnd, " 1");
         return result;
     }
     throw FatalInputError({file, 0}, "The keyword internalField is missing", "internalField uniform|nonuniform ...;");
@@ -147,6 +145,45 @@ std::vector<double> readList
     return values;
 }
 
+// The type that the header's class says; one of the known ones, or `expected` where that is given.
+FieldType readType(const Dictionary& header, std::optional<FieldType> expected)
+{
+    std::vector<FieldType> types{FieldType::label, FieldType::scalar, FieldType::vector};
+    if (expected) types = {*expected};
+    std::vector<std::string> words;
+    for (const FieldType type : types) words.push_back(typeName(type) + "Field");
+    const std::string word = header.lookupChoice("class", words);
+    return types[std::find(words.begin(), words.end(), word) - words.begin()];
+}
+
+// type, dimensions: what they have to be, where that is known.
+FieldData readFieldOf
+(
+    const std::filesystem::path& file, std::optional<FieldType> type, std::optional<Dimensions> dimensions,
+    long expectedElements
+)
+{
+    const std::string name = file.string();
+    const std::string text = readFile(file);
+    const FieldText parts = splitText(name, text);
+    const Dictionary dict = Dictionary::parse(parts.dictionary, name);
+    const Dictionary header = dict.subDict("FoamFile");
+
+    FieldData field{file.filename().string(), readType(header, type), dict.lookupDimensions("dimensions"), parts.uniform, {}};
+    if (dimensions && field.dimensions != *dimensions)
+    {
+        throw FatalInputError
+        (
+            dict.where("dimensions"), "The field's dimensions are " + field.dimensions.str(), dimensions->str()
+        );
+    }
+    field.values = parts.uniform
+        ? readUniform(dict, field.type)
+        : readList(name, text, parts, header, field.type, expectedElements);
+    dict.refuseUnused();
+    return field;
+}
+
 }
 
 std::string typeName(FieldType type)
@@ -165,25 +202,17 @@ int componentsOf(FieldType type)
     return type == FieldType::vector ? 3 : 1;
 }
 
+FieldData readField(const std::filesystem::path& file, long expectedElements)
+{
+    return readFieldOf(file, std::nullopt, std::nullopt, expectedElements);
+}
+
 FieldData readField
 (
     const std::filesystem::path& file, FieldType type, const Dimensions& dimensions, long expectedElements
 )
 {
-    const std::string name = file.string();
-    const std::string text = readFile(file);
-    const FieldText parts = splitText(name, text);
-    const Dictionary dict = Dictionary::parse(parts.dictionary, name);
-    const Dictionary header = dict.subDict("FoamFile");
-    header.lookupChoice("class", {typeName(type) + "Field"});
-    dict.lookupDimensioned("dimensions", dimensions);
-
-    FieldData field{file.filename().string(), type, dimensions, parts.uniform, {}};
-    field.values = parts.uniform
-        ? readUniform(dict, type)
-        : readList(name, text, parts, header, type, expectedElements);
-    dict.refuseUnused();
-    return field;
+    return readFieldOf(file, type, dimensions, expectedElements);
 }
 
 }
