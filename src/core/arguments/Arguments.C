@@ -115,7 +115,9 @@ std::vector<po::option> parse(int argc, const char* const* argv, const std::vect
 
 std::string quoted(const std::string& argument)
 {
-    return argument.find(' ') == std::string::npos && !argument.empty() ? argument : "'" + argument + "'";
+    if (!argument.empty() && argument.find(' ') == std::string::npos) return argument;
+    std::string result = "'";
+    return result.append(argument).append("'");
 }
 
 void checkCase(const std::filesystem::path& path)
@@ -162,7 +164,7 @@ std::string helpText(const ApplicationInfo& info)
 Arguments::Arguments(int argc, const char* const* argv, const ApplicationInfo& info)
     : info_(info)
 {
-    for (int i = 0; i < argc; ++i) commandLine_ += (i ? " " : "") + quoted(argv[i]);
+    for (int i = 0; i < argc; ++i) commandLine_.append(i ? " " : "").append(quoted(argv[i]));
 
     const auto options = allOptions(info_);
     for (const po::option& token : parse(argc, argv, options))

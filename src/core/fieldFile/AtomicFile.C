@@ -82,7 +82,9 @@ void exchangeFolders(const fs::path& fresh, const fs::path& old)
 
 fs::path partialPath(const fs::path& path)
 {
-    return path.parent_path() / ("." + path.filename().string() + suffix);
+    std::string name = ".";
+    name.append(path.filename().string()).append(suffix);
+    return path.parent_path() / name;
 }
 
 bool isPartialName(const std::string& name)
