@@ -1,0 +1,312 @@
+#include "vtk/Picture.H"
+
+#include "core/fieldFile/AtomicFile.H"
+#include "core/messages/Error.H"
+#include "vtk/StudioFloor.H"
+#include "vtk/VtkConversion.H"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkFloatArray.h>
+#include <vtkGlyph3DMapper.h>
+#include <vtkImageData.h>
+#include <vtkImageShrink3D.h>
+#include <vtkLight.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
+#include <vtkSphereSource.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <algorithm>
+#include <numbers>
+
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr int oversampling = 2;         // the picture is rendered larger and averaged: smooth edges on any driver
+
+// Where to look: the ball around what is to be seen, and the picture's axes.
+struct Stage
+{
+    Vector3 centre;                     // m
+    double radius = 0;                  // m
+    Vector3 up, right, front;           // unit vectors; front points at the viewer
+
+    Stage(const std::vector<Vector3>& points, const Vector3& upward) : up(upward)
+    {
+        right = perpendicular(up);
+        front = cross(right, up);
+        Vector3 low = points.front(), high = low;
+        for (const Vector3& p : points)
+        {
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                low[axis] = std::min(low[axis], p[axis]);
+                high[axis] = std::max(high[axis], p[axis]);
+            }
+        }
+        centre = 0.5*(low + high);
+        for (const Vector3& p : points) radius = std::max(radius, length(p - centre));
+    }
+
+    // A direction of the picture: to the right, up, to the viewer.
+    Vector3 direction(double x, double y, double z) const { return normalized(x*right + y*up + z*front); }
+};
+
+// A photographer's studio as the surroundings that water mirrors: bright above, darker at the horizon, two lit panels.
+vtkSmartPointer<vtkTexture> studioSurroundings()
+{
+    constexpr int width = 256, height = 128;
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(width, height, 1);
+    image->AllocateScalars(VTK_FLOAT, 3);
+    for (int row = 0; row < height; ++row)
+    {
+        for (int column = 0; column < width; ++column)
+        {
+            const double elevation = (double(row)/(height - 1) - 0.5)*180, azimuth = double(column)/width*360;
+            const double sky = std::clamp(0.5 + elevation/120, 0.0, 1.0);
+            double light = 0.35 + 0.55*sky;
+            const bool panel = elevation > 25 && elevation < 60
+              && ((azimuth > 40 && azimuth < 95) || (azimuth > 230 && azimuth < 260));
+            if (panel) light = 3.5;
+            auto* pixel = static_cast<float*>(image->GetScalarPointer(column, row, 0));
+            pixel[0] = float(light*0.96);
+            pixel[1] = float(light*0.98);
+            pixel[2] = float(light);
+        }
+    }
+    const auto texture = vtkSmartPointer<vtkTexture>::New();
+    texture->SetInputData(image);
+    texture->SetColorModeToDirectScalars();
+    texture->MipmapOn();
+    texture->InterpolateOn();
+    return texture;
+}
+
+vtkSmartPointer<vtkActor> waterActor(const TriangleMesh& mesh)
+{
+    vtkSmartPointer<vtkPolyData> surface = toPolyData(mesh);
+    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<vtkPolyDataNormals> normals;
+    if (mesh.normals.empty())
+    {
+        normals->SetInputData(surface);
+        normals->SplittingOff();
+        normals->ConsistencyOff();
+        mapper->SetInputConnection(normals->GetOutputPort());
+    }
+    else mapper->SetInputData(surface);
+    mapper->ScalarVisibilityOff();
+
+    const auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    vtkProperty& look = *actor->GetProperty();
+    look.SetInterpolationToPBR();
+    look.SetColor(0.10, 0.42, 0.70);
+    look.SetMetallic(0.0);
+    look.SetRoughness(0.12);
+    look.SetBaseIOR(1.6);
+    look.SetCoatStrength(1.0);
+    look.SetCoatRoughness(0.03);
+    look.SetCoatIOR(1.7);
+    return actor;
+}
+
+vtkSmartPointer<vtkGlyph3DMapper> spheresAt(const std::vector<Vector3>& centres, double diameter)
+{
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetRadius(diameter/2);
+    sphere->SetThetaResolution(20);
+    sphere->SetPhiResolution(14);
+    vtkNew<vtkPolyData> points;
+    points->SetPoints(toPoints(centres));
+    const auto mapper = vtkSmartPointer<vtkGlyph3DMapper>::New();
+    mapper->SetInputData(points);
+    mapper->SetSourceConnection(sphere->GetOutputPort());
+    mapper->ScalingOff();
+    mapper->ScalarVisibilityOff();
+    return mapper;
+}
+
+void addMatteSpheres(vtkRenderer& renderer, const std::vector<Vector3>& centres, double diameter)
+{
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(spheresAt(centres, diameter));
+    actor->GetProperty()->SetColor(0.78, 0.76, 0.73);
+    actor->GetProperty()->SetAmbient(0.3);
+    actor->GetProperty()->SetDiffuse(0.7);
+    renderer.AddActor(actor);
+}
+
+// Particles coloured by speed, dark blue to light, with a scalar bar.
+void addParticles(vtkRenderer& renderer, const PictureScene& scene)
+{
+    const auto mapper = spheresAt(scene.particles, scene.spacing);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetSpecular(0.3);
+    actor->GetProperty()->SetSpecularPower(30);
+    actor->GetProperty()->SetColor(0.10, 0.42, 0.70);
+    renderer.AddActor(actor);
+    if (scene.speed.empty()) return;
+
+    vtkNew<vtkFloatArray> speed;
+    speed->SetName("speed");
+    for (const double value : scene.speed) speed->InsertNextValue(float(value));
+    static_cast<vtkPolyData*>(mapper->GetInput())->GetPointData()->SetScalars(speed);
+
+    vtkNew<vtkLookupTable> colours;
+    colours->SetHueRange(0.62, 0.50);
+    colours->SetSaturationRange(0.9, 0.25);
+    colours->SetValueRange(0.55, 1.0);
+    colours->Build();
+    const double fastest = *std::max_element(scene.speed.begin(), scene.speed.end());
+    mapper->SetLookupTable(colours);
+    mapper->SetScalarRange(0, fastest > 0 ? fastest : 1);
+    mapper->ScalarVisibilityOn();
+
+    vtkNew<vtkScalarBarActor> bar;
+    bar->SetLookupTable(colours);
+    colours->SetRange(0, fastest > 0 ? fastest : 1);
+    bar->SetTitle("|U| [m/s]");
+    bar->SetNumberOfLabels(3);
+    bar->SetLabelFormat("%.2g");
+    bar->UnconstrainedFontSizeOn();
+    for (vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()})
+    {
+        text->SetColor(0.15, 0.2, 0.25);
+        text->ShadowOff();
+        text->ItalicOff();
+        text->SetFontSize(18*oversampling);
+    }
+    bar->SetPosition(0.9, 0.3);
+    bar->SetWidth(0.07);
+    bar->SetHeight(0.4);
+    renderer.AddActor2D(bar);
+}
+
+void addLight(vtkRenderer& renderer, const Stage& stage, const Vector3& towards, double intensity)
+{
+    const Vector3 position = stage.centre + 20*stage.radius*towards;
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(position.x, position.y, position.z);
+    light->SetFocalPoint(stage.centre.x, stage.centre.y, stage.centre.z);
+    light->SetIntensity(intensity);
+    renderer.AddLight(light);
+}
+
+void aimCamera(vtkRenderer& renderer, const Stage& stage, const PictureView& view)
+{
+    const double elevation = (view.kind == PictureView::Kind::side ? 3 : 20)*std::numbers::pi/180;
+    const double opening = 24;      // degrees, of the picture's height
+    const double room = 1.35;       // how much larger than the stage the picture's smaller side is
+    const double aspect = std::min(1.0, double(view.width)/view.height);
+    const double distance = room*stage.radius/(std::tan(opening/2*std::numbers::pi/180)*aspect);
+    const Vector3 position = stage.centre + distance*stage.direction(0, std::sin(elevation), std::cos(elevation));
+
+    vtkCamera& camera = *renderer.GetActiveCamera();
+    camera.SetViewAngle(opening);
+    camera.SetFocalPoint(stage.centre.x, stage.centre.y, stage.centre.z);
+    camera.SetPosition(position.x, position.y, position.z);
+    camera.SetViewUp(stage.up.x, stage.up.y, stage.up.z);
+    renderer.ResetCameraClippingRange();
+}
+
+void addCaption(vtkRenderer& renderer, const std::string& text, int height)
+{
+    vtkNew<vtkTextActor> caption;
+    caption->SetInput(text.c_str());
+    caption->GetTextProperty()->SetFontFamilyToArial();
+    caption->GetTextProperty()->SetFontSize(std::max(10, height/38));
+    caption->GetTextProperty()->SetColor(0.15, 0.2, 0.25);
+    caption->GetTextProperty()->SetLineSpacing(1.2);
+    caption->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+    caption->SetPosition(0.03, 0.04);
+    renderer.AddActor2D(caption);
+}
+
+void writePng(vtkRenderWindow& window, const std::filesystem::path& file)
+{
+    vtkNew<vtkWindowToImageFilter> grab;
+    grab->SetInput(&window);
+    grab->ReadFrontBufferOff();
+    vtkNew<vtkImageShrink3D> shrink;
+    shrink->SetInputConnection(grab->GetOutputPort());
+    shrink->SetShrinkFactors(oversampling, oversampling, 1);
+    shrink->AveragingOn();
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputConnection(shrink->GetOutputPort());
+    writer->WriteToMemoryOn();
+    writer->Write();
+    const vtkUnsignedCharArray* bytes = writer->GetResult();
+    if (!bytes) throw FatalError("VTK could not encode " + file.string());
+    writeAtomically(file, [&](std::ostream& out)
+    {
+        auto* result = writer->GetResult();
+        out.write(reinterpret_cast<const char*>(result->GetPointer(0)), result->GetNumberOfValues());
+    });
+}
+
+}
+
+void renderPicture(const PictureScene& scene, const PictureView& view, const std::filesystem::path& file)
+{
+    const std::vector<Vector3>& seen = scene.liquid.vertices.empty() ? scene.particles : scene.liquid.vertices;
+    if (seen.empty()) throw FatalError("There is no liquid to be seen in " + file.string());
+    const Stage stage(seen, scene.floor ? scene.floor->normal : Vector3(0, 0, 1));
+
+    vtkNew<vtkRenderer> renderer;
+    renderer->GradientBackgroundOn();
+    renderer->SetBackground(0.97, 0.975, 0.98);
+    renderer->SetBackground2(0.76, 0.84, 0.91);
+    renderer->AutomaticLightCreationOff();
+    const Vector3 keyLight = stage.direction(-0.5, 1.0, 0.45);
+    addLight(*renderer, stage, keyLight, 1.0);
+    addLight(*renderer, stage, stage.direction(0.8, 0.5, 0.6), 0.4);
+
+    if (!scene.liquid.faces.empty())
+    {
+        renderer->UseImageBasedLightingOn();
+        renderer->SetEnvironmentTexture(studioSurroundings());
+        renderer->SetEnvironmentUp(stage.up.x, stage.up.y, stage.up.z);
+        renderer->SetEnvironmentRight(stage.right.x, stage.right.y, stage.right.z);
+        renderer->AddActor(waterActor(scene.liquid));
+    }
+    else addParticles(*renderer, scene);
+    if (!scene.solid.empty()) addMatteSpheres(*renderer, scene.solid, scene.spacing);
+    if (scene.floor)
+    {
+        renderer->AddActor(studioFloor(*scene.floor, scene.liquid, stage.centre, stage.radius, -keyLight));
+    }
+    if (!scene.caption.empty()) addCaption(*renderer, scene.caption, oversampling*view.height);
+
+    vtkNew<vtkRenderWindow> window;
+    window->SetOffScreenRendering(1);
+    window->SetMultiSamples(0);
+    window->SetSize(oversampling*view.width, oversampling*view.height);
+    window->AddRenderer(renderer);
+    aimCamera(*renderer, stage, view);
+    window->Render();
+    writePng(*window, file);
+}
+
+}
