@@ -5,13 +5,17 @@ set(SHIZUKU_CORE_SOURCES
     core/dictionary/BalanceCheck.C
     core/dictionary/CalcExpression.C
     core/dictionary/Dictionary.C
+    core/dictionary/DictionaryEditor.C
     core/dictionary/DictionaryExpansion.C
     core/dictionary/DictionaryGrammar.C
+    core/dictionary/DictionaryJson.C
     core/dictionary/DictionaryLookup.C
     core/dictionary/DictionaryTree.C
     core/dictionary/DictionaryUsage.C
+    core/dictionary/DictionaryWriter.C
     core/dictionary/Dimensions.C
     core/dictionary/EntryMerge.C
+    core/dictionary/EntryPath.C
     core/dictionary/IncludeFile.C
     core/dictionary/MacroScope.C
     core/dictionary/ValueReader.C
