@@ -16,6 +16,9 @@ set(SHIZUKU_CORE_SOURCES
     core/dictionary/Dimensions.C
     core/dictionary/EntryMerge.C
     core/dictionary/EntryPath.C
+    core/dictionary/Expansion.C
+    core/dictionary/ExpansionDirectives.C
+    core/dictionary/ExpansionMacros.C
     core/dictionary/IncludeFile.C
     core/dictionary/MacroScope.C
     core/dictionary/ValueReader.C

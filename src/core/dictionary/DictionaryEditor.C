@@ -10,7 +10,7 @@ namespace shizuku
 namespace
 {
 
-constexpr std::size_t valueColumn = 16;
+constexpr std::size_t valueColumn = 16;    // where values start, counted from the keyword, without a neighbour to follow
 
 std::string trimmed(const std::string& text)
 {
@@ -25,9 +25,9 @@ bool isBlank(const std::string& text)
 }
 
 // "keyword value;" or "keyword { ... }". Throws FatalInputError unless it is exactly one such entry.
-std::string entryText(const std::string& keyword, const std::string& value)
+std::string entryText(const std::string& keyword, const std::string& value, std::size_t column = valueColumn)
 {
-    const std::string gap(keyword.size() < valueColumn ? valueColumn - keyword.size() : 1, ' ');
+    const std::string gap(keyword.size() < column ? column - keyword.size() : 1, ' ');
     const std::string text = value.starts_with('{') ? keyword + " " + value : value.empty() ? keyword + ";" : keyword + gap + value + ";";
     const Tree parsed = parseSyntax(SourceText(text, "new entry"));
     const bool single = parsed.size() == 1 && parsed.front().second.data().span.end == text.size()
@@ -37,6 +37,16 @@ std::string entryText(const std::string& keyword, const std::string& value)
         throw FatalInputError({}, "'" + text + "' is not one entry", "one keyword, and a value without ';' or { ... }");
     }
     return text;
+}
+
+// Where the value of the last plain entry starts, so that a new one lines up with it.
+std::size_t columnOfValues(const Tree& dictionary)
+{
+    if (dictionary.empty()) return valueColumn;
+    const NodeData& last = dictionary.back().second.data();
+    const bool onOneLine = last.kind == NodeKind::entry && dictionary.back().second.size() > 0
+        && dictionary.back().second.front().second.data().where.line == last.where.line;
+    return onOneLine ? last.value.begin - last.span.begin : valueColumn;
 }
 
 }
@@ -89,7 +99,7 @@ void DictionaryEditor::add(const std::string& path, const std::string& value)
             throw FatalInputError(dictionary->data().where, "Entry '" + split.dictionary + "' is no dictionary", "the path of a dictionary");
         }
     }
-    insert(*dictionary, entryText(split.keyword, trimmed(value)));
+    insert(*dictionary, entryText(split.keyword, trimmed(value), columnOfValues(*dictionary)));
 }
 
 void DictionaryEditor::remove(const std::string& path)

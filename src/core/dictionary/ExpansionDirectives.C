@@ -1,0 +1,160 @@
+#include "core/dictionary/Expansion.H"
+#include "core/dictionary/CalcExpression.H"
+#include "core/dictionary/DictionaryExpansion.H"
+#include "core/dictionary/DictionaryGrammar.H"
+#include "core/dictionary/IncludeFile.H"
+
+#include <map>
+#include <optional>
+
+namespace shizuku
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+const Tree& argumentOf(const Tree& directive)
+{
+    if (directive.empty())
+    {
+        throw FatalInputError(directive.data().where, "#" + directive.data().text + " stands alone", "something behind it");
+    }
+    return directive.front().second;
+}
+
+const std::string& textArgumentOf(const Tree& directive, const std::string& expected)
+{
+    const NodeData& data = argumentOf(directive).data();
+    if (data.kind != NodeKind::string && data.kind != NodeKind::word && data.kind != NodeKind::verbatim)
+    {
+        throw FatalInputError(data.where, "#" + directive.data().text + " is followed by " + describe(argumentOf(directive)), expected);
+    }
+    return data.text;
+}
+
+[[noreturn]] void failDirective(const Tree& directive, const std::string& place, const std::vector<std::string>& choices)
+{
+    const NodeData& data = directive.data();
+    throw FatalInputError(data.where, "#" + data.text + " is unknown " + place, "one of the directives below", choices, data.text);
+}
+
+}
+
+void Expansion::addDirective(const Tree& directive)
+{
+    using Action = std::function<void(Expansion&, const Tree&)>;
+    const Action addIncluded = [](Expansion& expansion, const Tree& argument)
+    {
+        expansion.include(argument, [&](const SourceText& source) { expansion.addFile(source); });
+    };
+    const std::map<std::string, Action> actions
+    {
+        {"include", addIncluded},
+        {"includeEtc", addIncluded},
+        {"includeIfPresent", addIncluded},
+        {"inputMode", [](Expansion& expansion, const Tree& argument) { expansion.setInputMode(argument); }},
+        {"remove", [](Expansion& expansion, const Tree& argument) { expansion.remove(argumentOf(argument)); }}
+    };
+    const auto action = actions.find(directive.data().text);
+    if (action == actions.end())
+    {
+        failDirective(directive, "as a statement", {"include", "includeEtc", "includeIfPresent", "inputMode", "remove"});
+    }
+    action->second(*this, directive);
+}
+
+void Expansion::setInputMode(const Tree& directive)
+{
+    static const std::map<std::string, InputMode> modes
+    {
+        {"default", InputMode::merge}, {"merge", InputMode::merge}, {"overwrite", InputMode::overwrite},
+        {"protect", InputMode::protect}, {"warn", InputMode::warn}, {"error", InputMode::error}
+    };
+    const std::string& word = textArgumentOf(directive, "a word");
+    const auto found = modes.find(word);
+    if (found == modes.end())
+    {
+        std::vector<std::string> words;
+        for (const auto& [name, mode] : modes) words.push_back(name);
+        throw FatalInputError(directive.data().where, "Unknown input mode '" + word + "'", "one of the modes below", words, word);
+    }
+    mode_ = found->second;
+}
+
+void Expansion::remove(const Tree& selection)
+{
+    const NodeData& data = selection.data();
+    if (data.kind == NodeKind::list)
+    {
+        for (const auto& [key, item] : selection) remove(item);
+        return;
+    }
+    if (data.kind != NodeKind::word && data.kind != NodeKind::string)
+    {
+        throw FatalInputError(data.where, "#remove is followed by " + describe(selection), "a keyword, a \"pattern\", or a list of them");
+    }
+    Tree& dictionary = scope_.current();
+    for (auto entry = dictionary.begin(); entry != dictionary.end();)
+    {
+        const bool matches = entry->first == data.text || (data.kind == NodeKind::string && patternMatches(data, entry->first));
+        entry = matches ? dictionary.erase(entry) : std::next(entry);
+    }
+}
+
+void Expansion::include(const Tree& directive, const std::function<void(const SourceText&)>& take)
+{
+    const SourceLocation& where = directive.data().where;
+    const std::string& directiveName = directive.data().text;
+    const std::string name = withMacros(textArgumentOf(directive, "the name of a file in quotes"), where);
+
+    std::optional<fs::path> file = directiveName == "includeEtc" ? findEtcFile(name) : includePath(name, files_.back());
+    if (!file)
+    {
+        throw FatalInputError(where, "#includeEtc \"" + name + "\": there is no such file", "a file below $SHIZUKU_DIR/etc or ~/.shizuku");
+    }
+    if (!fs::is_regular_file(*file))
+    {
+        if (directiveName == "includeIfPresent") return;
+        throw FatalInputError
+        (
+            where, "#" + directiveName + " \"" + name + "\": there is no file " + file->string(),
+            "a file, its name relative to this one or behind <case>/, <system>/, <constant>/, <etc>/"
+        );
+    }
+    for (const fs::path& open : files_)
+    {
+        std::error_code error;
+        if (fs::equivalent(open, *file, error))
+        {
+            throw FatalInputError(where, "Circular include of " + file->string(), "a file that does not include itself in the end");
+        }
+    }
+    take(SourceText(readText(*file), file->string()));
+}
+
+void Expansion::addDirectiveItems(Tree& value, const Tree& directive)
+{
+    NodeData data = directive.data();
+    if (data.text == "calc" || data.text == "eval")
+    {
+        const std::string& expression = textArgumentOf(directive, "an expression in quotes or #{ }");
+        const auto macro = [&](const std::string& name) { return number(name, data.where); };
+        data.text = numberText(evaluate(expression, data.where, macro));
+        data.kind = NodeKind::number;
+        value.push_back({"", Tree(data)});
+    }
+    else if (data.text == "include" || data.text == "includeEtc")
+    {
+        include(directive, [&](const SourceText& source)
+        {
+            files_.push_back(source.name());
+            for (const auto& [key, item] : parseItems(source)) addItem(value, item);
+            files_.pop_back();
+        });
+    }
+    else failDirective(directive, "as a value", {"calc", "eval", "include", "includeEtc"});
+}
+
+}

@@ -1,0 +1,95 @@
+#include "core/dictionary/Expansion.H"
+#include "core/dictionary/DictionaryGrammar.H"
+#include "core/dictionary/ValueReader.H"
+
+#include <cctype>
+#include <cstdlib>
+
+namespace shizuku
+{
+
+namespace
+{
+
+// Entries taken over by a macro have not been looked up yet.
+Tree unused(Tree node)
+{
+    node.data().used = false;
+    node.data().asked.clear();
+    for (auto& [key, child] : node) child = unused(child);
+    return node;
+}
+
+}
+
+Tree Expansion::resolve(const std::string& name, const SourceLocation& where) const
+{
+    const std::size_t fallback = name.find(":-");
+    const std::string key = name.substr(0, fallback);
+    if (const Tree* entry = scope_.find(key)) return unused(*entry);
+    if (const char* value = std::getenv(key.c_str())) return parseItems(SourceText(value, "$" + key));
+    if (fallback != std::string::npos) return parseItems(SourceText(name.substr(fallback + 2), where.file));
+    throw FatalInputError
+    (
+        where, "Undefined macro $" + key, "an entry that stands before, or a variable of the environment", scope_.visible(), key
+    );
+}
+
+double Expansion::number(const std::string& macro, const SourceLocation& where) const
+{
+    const Tree entry = resolve(macro, where);
+    ValueReader reader(entry, "one number, for $" + macro + " at line " + std::to_string(where.line) + " of " + where.file);
+    reader.readDimensions();
+    const double value = reader.read<double>();
+    reader.finish();
+    return value;
+}
+
+// A file name with $name and ${name} replaced; the bare form ends at the first character that is not of a name.
+std::string Expansion::withMacros(const std::string& text, const SourceLocation& where) const
+{
+    std::string result;
+    for (std::size_t i = 0; i < text.size();)
+    {
+        if (text[i] != '$') { result += text[i++]; continue; }
+        const bool braced = i + 1 < text.size() && text[i + 1] == '{';
+        const std::size_t begin = i + (braced ? 2 : 1);
+        std::size_t end = begin;
+        const auto inName = [&](char c) { return braced ? c != '}' : std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == ':'; };
+        while (end < text.size() && inName(text[end])) ++end;
+        ValueReader reader(resolve(text.substr(begin, end - begin), where), "one word, to be part of a file name");
+        result += reader.read<std::string>();
+        i = end + (braced ? 1 : 0);
+    }
+    return result;
+}
+
+std::string Expansion::keywordOf(const Tree& syntax) const
+{
+    const NodeData& data = syntax.data();
+    if (data.style != KeywordStyle::macro) return data.text;
+    ValueReader reader(resolve(data.text, data.where), "one word, to be a keyword");
+    const std::string keyword = reader.read<std::string>();
+    reader.finish();
+    return keyword;
+}
+
+void Expansion::addMacro(const Tree& macro)
+{
+    const NodeData& data = macro.data();
+    const Tree source = resolve(data.text, data.where);
+    if (source.data().kind != NodeKind::dictionary)
+    {
+        throw FatalInputError(data.where, "$" + data.text + " is no dictionary", "$dictionary; or keyword $" + data.text + ";");
+    }
+    for (const auto& [key, entry] : source) mergeEntry(scope_.current(), entry, mode_);
+}
+
+void Expansion::addMacroItems(Tree& value, const Tree& macro)
+{
+    const Tree source = resolve(macro.data().text, macro.data().where);
+    if (source.data().kind == NodeKind::dictionary) value.push_back({"", source});
+    else value.insert(value.end(), source.begin(), source.end());
+}
+
+}
