@@ -2,6 +2,8 @@
 set(SHIZUKU_GEOMETRY_SOURCES
     geometry/AnalyticSurface.C
     geometry/ContactAngle.C
+    geometry/Drops.C
+    geometry/LiquidFiles.C
     geometry/MeshTopology.C
     geometry/PlaneFit.C
     geometry/PlyFile.C
@@ -11,6 +13,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/StlFile.C
     geometry/TriangleMesh.C
     geometry/Vector3.C
+    geometry/WallPlane.C
 )
 
 # Solid particles on surfaces. CGAL.

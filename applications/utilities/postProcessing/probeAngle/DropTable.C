@@ -1,0 +1,70 @@
+#include "DropTable.H"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace shizuku
+{
+
+CsvFile dropTable(const std::filesystem::path& file)
+{
+    return CsvFile
+    (
+        file,
+        {
+            {"time", "s"}, {"drop", ""}, {"state", ""}, {"prescribed", "deg"}, {"angle", "deg"},
+            {"contactRadius", "m"}, {"height", "m"}, {"coveredArea", "m2"}, {"volume", "m3"}, {"particles", ""},
+            {"volumeDrift", "%"}, {"volumeDriftSinceFirst", "%"},
+            {"centroidX", "m"}, {"centroidY", "m"}, {"centroidZ", "m"}, {"residual", "spacings"}
+        }
+    );
+}
+
+void addRow(CsvFile& table, const DropRecord& record)
+{
+    const ContactAngle& shape = record.shape;
+    table.addRow
+    ({
+        record.time, double(record.drop), word(shape.state), record.prescribed, shape.angle,
+        shape.contactRadius, shape.height, shape.coveredArea, record.volume, double(record.particles),
+        100*record.particleDrift, 100*record.firstDrift,
+        record.centroid.x, record.centroid.y, record.centroid.z, shape.residual
+    });
+}
+
+std::string report(const DropRecord& record, const std::string& wall)
+{
+    const ContactAngle& shape = record.shape;
+    std::ostringstream out;
+    const auto line = [&out](const std::string& name) -> std::ostream&
+    {
+        return out << "    " << std::left << std::setw(20) << name << std::right;
+    };
+    const auto fixed = [](double value, int digits, bool sign = false)
+    {
+        std::ostringstream text;
+        text << std::fixed << std::setprecision(digits);
+        if (sign) text << std::showpos;
+        text << value;
+        return text.str();
+    };
+
+    out << "Drop " << record.drop << " on " << wall << " at time " << record.time << " s: " << word(shape.state) << '\n';
+    line("prescribed angle") << (std::isnan(record.prescribed) ? "none" : fixed(record.prescribed, 2) + " deg") << '\n';
+    if (shape.state == DropState::attached)
+    {
+        line("measured angle") << fixed(shape.angle, 2) << " deg\n";
+        line("fit residual") << fixed(shape.residual, 3) << " spacings\n";
+    }
+    else line("measured angle") << "none, the drop is " << (shape.state == DropState::film ? "a film" : "off the wall") << '\n';
+    line("contact radius") << fixed(1e3*shape.contactRadius, 4) << " mm\n";
+    line("height") << fixed(1e3*shape.height, 4) << " mm\n";
+    line("covered area") << fixed(1e6*shape.coveredArea, 4) << " mm2\n";
+    line("volume") << fixed(1e9*record.volume, 4) << " mm3\n";
+    line("volume drift") << fixed(100*record.particleDrift, 2, true) << " % against " << record.particles
+        << " particles, " << fixed(100*record.firstDrift, 2, true) << " % since the first time\n";
+    return out.str();
+}
+
+}

@@ -1,0 +1,59 @@
+#include "PrescribedAngle.H"
+
+#include "core/dictionary/Dictionary.H"
+#include "core/time/Time.H"
+
+#include <limits>
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+}
+
+PrescribedAngle::PrescribedAngle
+(
+    const std::filesystem::path& casePath, const CaseWalls& walls, const std::string& wall
+)
+: case_(casePath), walls_(walls), wall_(wall)
+{
+    for (std::size_t i = 0; i < walls.solid.patches.size(); ++i)
+    {
+        if (walls.solid.patches[i] == wall) patch_ = int(i);
+    }
+}
+
+double PrescribedAngle::below(const Vector3& foot, double radius, const Plane& plane, double time) const
+{
+    if (patch_ < 0)
+    {
+        const auto file = case_/"constant/wettability";
+        if (!std::filesystem::exists(file)) return none;
+        return Dictionary::read(file).subDictOrEmpty(wall_).lookupOr<double>("theta", none);
+    }
+
+    const auto instance = findInstance(case_, time, "solid/theta");
+    if (instance.empty()) return none;
+    const SolidParticles& solid = walls_.solid;
+    const FieldData theta = readField
+    (
+        instance/"solid/theta", FieldType::scalar, dimensions::none, long(solid.positions.size())
+    );
+    double sum = 0;
+    long count = 0;
+    for (std::size_t i = 0; i < solid.positions.size(); ++i)
+    {
+        const Vector3 fromFoot = solid.positions[i] - foot;
+        const Vector3 along = fromFoot - dot(fromFoot, plane.normal)*plane.normal;
+        if (solid.patch[i] != patch_ || length(along) > radius) continue;
+        sum += theta(i);
+        ++count;
+    }
+    return count > 0 ? sum/count : none;
+}
+
+}

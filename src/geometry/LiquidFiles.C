@@ -1,0 +1,26 @@
+#include "geometry/LiquidFiles.H"
+
+#include "core/dictionary/Dictionary.H"
+#include "core/fieldFile/FieldFile.H"
+#include "geometry/VectorField.H"
+
+namespace shizuku
+{
+
+double readSpacing(const std::filesystem::path& casePath)
+{
+    return Dictionary::read(casePath/"system/solution").lookupPositive("spacing", dimensions::length);
+}
+
+std::vector<Vector3> readLiquidPositions(const std::filesystem::path& timePath)
+{
+    const FieldData positions = readField(timePath/"liquid/positions", FieldType::vector, dimensions::length);
+    return toVectors(positions, positions.elements());
+}
+
+std::filesystem::path liquidSurfaceFile(const std::filesystem::path& timePath)
+{
+    return timePath/"surface/liquid.ply";
+}
+
+}
