@@ -5,5 +5,6 @@ set(SHIZUKU_VTK_SOURCES
     vtk/StudioFloor.C
     vtk/TimeSeries.C
     vtk/VtkConversion.C
+    vtk/VtkSeries.C
     vtk/VtpFile.C
 )
