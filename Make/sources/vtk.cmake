@@ -4,6 +4,7 @@ set(SHIZUKU_VTK_SOURCES
     vtk/SoftShadow.C
     vtk/StudioFloor.C
     vtk/TimeSeries.C
+    vtk/VirtualDisplay.C
     vtk/VtkConversion.C
     vtk/VtkSeries.C
     vtk/VtpFile.C

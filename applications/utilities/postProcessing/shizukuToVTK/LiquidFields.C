@@ -1,6 +1,7 @@
 #include "LiquidFields.H"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <sstream>
 

@@ -1,0 +1,82 @@
+#include "AngleCaption.H"
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <map>
+#include <sstream>
+#include <vector>
+
+namespace shizuku
+{
+
+namespace
+{
+
+using Row = std::map<std::string, std::string>;     // by the column's name without its unit
+
+std::vector<std::string> cellsOf(const std::string& line)
+{
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    return cells;
+}
+
+std::vector<Row> rowsAt(const std::filesystem::path& file, double time)
+{
+    std::ifstream in(file);
+    std::string line;
+    std::getline(in, line);
+    std::vector<std::string> names = cellsOf(line);
+    for (std::string& name : names) name = name.substr(0, name.find(' '));
+
+    std::vector<Row> rows;
+    while (std::getline(in, line))
+    {
+        const std::vector<std::string> cells = cellsOf(line);
+        Row row;
+        for (std::size_t i = 0; i < names.size() && i < cells.size(); ++i) row[names[i]] = cells[i];
+        // The table holds nine digits.
+        if (std::abs(std::atof(row["time"].c_str()) - time) <= 1e-8*std::abs(time)) rows.push_back(row);
+    }
+    return rows;
+}
+
+std::string degrees(const std::string& text, int digits)
+{
+    std::ostringstream out;
+    out << std::fixed << std::setprecision(digits) << std::atof(text.c_str()) << "\u00B0";
+    return out.str();
+}
+
+std::string describe(Row& row)
+{
+    std::string text = row["state"] == "attached" ? "contact angle " + degrees(row["angle"], 1) : row["state"];
+    if (!std::isnan(std::atof(row["prescribed"].c_str()))) text += " (prescribed " + degrees(row["prescribed"], 0) + ")";
+    return text;
+}
+
+}
+
+std::string angleCaption(const std::filesystem::path& casePath, double time)
+{
+    std::filesystem::path newest;
+    const auto folder = casePath/"postProcessing/probeAngle";
+    if (!std::filesystem::is_directory(folder)) return "";
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    {
+        const auto file = entry.path()/"angle.csv";
+        if (!std::filesystem::exists(file) || rowsAt(file, time).empty()) continue;
+        const bool newer = newest.empty()
+          || std::filesystem::last_write_time(file) > std::filesystem::last_write_time(newest);
+        if (newer) newest = file;
+    }
+    if (newest.empty()) return "";
+
+    std::string text;
+    for (Row& row : rowsAt(newest, time)) text += (text.empty() ? "" : "\n") + describe(row);
+    return text;
+}
+
+}

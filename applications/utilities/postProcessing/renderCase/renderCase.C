@@ -1,0 +1,134 @@
+// Renders a time of a case off screen: the liquid's surface as water, or its particles, on their wall.
+
+#include "AngleCaption.H"
+
+#include "core/arguments/runApplication.H"
+#include "core/time/Time.H"
+#include "geometry/LiquidFiles.H"
+#include "geometry/PlyFile.H"
+#include "geometry/WallPlane.H"
+#include "vtk/Picture.H"
+#include "vtk/VirtualDisplay.H"
+
+#include <iostream>
+#include <regex>
+#include <sstream>
+
+using namespace shizuku;
+
+namespace
+{
+
+// The latest of the selected times, or of all, that holds liquid.
+TimeFolder chosenTime(const Arguments& args)
+{
+    const std::vector<TimeFolder> times = selectTimes(args);
+    for (auto time = times.rbegin(); time != times.rend(); ++time)
+    {
+        const bool particles = std::filesystem::exists(time->path/"liquid/positions");
+        if (particles || std::filesystem::exists(liquidSurfaceFile(time->path))) return *time;
+    }
+    throw FatalInputError
+    (
+        {args.casePath().string(), 0}, "None of the selected times holds liquid",
+        "<time>/surface/liquid.ply of meshSurface, or <time>/liquid"
+    );
+}
+
+PictureView readView(const Arguments& args)
+{
+    PictureView view;
+    view.kind = args.get("view") == "side" ? PictureView::Kind::side : PictureView::Kind::perspective;
+    const std::string size = args.get("size");
+    constexpr int largest = 8192;       // twice that, oversampled, is what graphics drivers take
+    std::smatch match;
+    if (std::regex_match(size, match, std::regex("([0-9]{1,5})x([0-9]{1,5})")))
+    {
+        view.width = std::stoi(match[1]);
+        view.height = std::stoi(match[2]);
+    }
+    else view.width = 0;
+    if (view.width < 16 || view.height < 16 || view.width > largest || view.height > largest)
+    {
+        throw FatalInputError
+        (
+            {}, "Option -size has the value '" + size + "'", "WIDTHxHEIGHT in pixels from 16 to 8192, e.g. 1600x1000"
+        );
+    }
+    return view;
+}
+
+void addLiquid(PictureScene& scene, const TimeFolder& time)
+{
+    if (std::filesystem::exists(liquidSurfaceFile(time.path)))
+    {
+        scene.liquid = readPly(liquidSurfaceFile(time.path));
+        return;
+    }
+    scene.particles = readLiquidPositions(time.path);
+    const auto velocity = time.path/"liquid/U";
+    if (!std::filesystem::exists(velocity)) return;
+    const FieldData u = readField(velocity, FieldType::vector, dimensions::velocity, long(scene.particles.size()));
+    for (std::size_t i = 0; i < scene.particles.size(); ++i)
+    {
+        scene.speed.push_back(std::hypot(u(i, 0), u(i, 1), u(i, 2)));
+    }
+}
+
+// The first plane wall is the floor; patches that are no planes are shown by their particles.
+void addWalls(PictureScene& scene, const std::filesystem::path& casePath)
+{
+    const CaseWalls walls = readCaseWalls(casePath);
+    std::vector<bool> curved(walls.solid.patches.size(), true);
+    for (const std::string& name : walls.names)
+    {
+        const auto plane = planeOf(walls, name, scene.spacing);
+        if (!plane) continue;
+        if (!scene.floor) scene.floor = plane;
+        for (std::size_t patch = 0; patch < curved.size(); ++patch)
+        {
+            if (walls.solid.patches[patch] == name) curved[patch] = false;
+        }
+    }
+    for (std::size_t i = 0; i < walls.solid.positions.size(); ++i)
+    {
+        if (curved[walls.solid.patch[i]]) scene.solid.push_back(walls.solid.positions[i]);
+    }
+}
+
+void render(const Arguments& args)
+{
+    const TimeFolder time = chosenTime(args);
+    const PictureView view = readView(args);
+
+    PictureScene scene;
+    scene.spacing = readSpacing(args.casePath());
+    addLiquid(scene, time);
+    addWalls(scene, args.casePath());
+    std::ostringstream caption;
+    caption << args.casePath().filename().string() << ", t = " << 1e3*time.value << " ms";
+    const std::string angle = angleCaption(args.casePath(), time.value);
+    scene.caption = caption.str() + (angle.empty() ? "" : "\n" + angle);
+
+    const std::filesystem::path file = args.found("output")
+        ? std::filesystem::absolute(args.get("output"))
+        : args.casePath()/(args.casePath().filename().string() + ".png");
+    const VirtualDisplay display;
+    renderPicture(scene, view, file);
+    std::cout << "Time = " << time.name << "\nWritten: " << file.string() << '\n';
+}
+
+}
+
+int main(int argc, char** argv)
+{
+    std::vector<Option> options = timeSelectionOptions();
+    options.push_back({"output", "FILE", "the PNG; default: <case>/<name of the case>.png", ""});
+    options.push_back({"size", "WxH", "pixels", "1600x1000"});
+    options.push_back({"view", "side|perspective", "level with the wall, or looking down on it", "perspective"});
+    return runApplication
+    (
+        argc, argv,
+        {"renderCase", "Renders the liquid of the latest, or a chosen, time off screen to a PNG.", options}, render
+    );
+}
