@@ -75,7 +75,11 @@ std::string angleCaption(const std::filesystem::path& casePath, double time)
     if (newest.empty()) return "";
 
     std::string text;
-    for (Row& row : rowsAt(newest, time)) text += (text.empty() ? "" : "\n") + describe(row);
+    for (Row& row : rowsAt(newest, time))
+    {
+        if (!text.empty()) text += '\n';
+        text += describe(row);
+    }
     return text;
 }
 
