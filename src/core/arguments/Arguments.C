@@ -5,6 +5,7 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <iostream>
@@ -54,7 +55,8 @@ std::string withoutDashes(const std::string& token)
 
 bool looksLikeOption(const std::string& token)
 {
-    return token.size() > 1 && token[0] == '-' && (token[1] == '-' || std::isalpha(static_cast<unsigned char>(token[1])));
+    if (token.size() < 2 || token[0] != '-') return false;
+    return token[1] == '-' || std::isalpha(static_cast<unsigned char>(token[1]));
 }
 
 [[noreturn]] void failUnknown(const std::string& name, const std::vector<Option>& options)
@@ -66,7 +68,8 @@ bool looksLikeOption(const std::string& token)
 
 [[noreturn]] void failMissing(const Option& option)
 {
-    throw FatalInputError({}, "Option -" + option.name + " has no value", "-" + option.name + " <" + option.value + ">");
+    const std::string name = "-" + option.name;
+    throw FatalInputError({}, "Option " + name + " has no value", name + " <" + option.value + ">");
 }
 
 void checkValue(const Option& option, const std::string& value)

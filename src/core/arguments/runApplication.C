@@ -85,11 +85,12 @@ int runApplication
 
 std::string executionTime()
 {
+    const double processor = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
     const auto wall = std::chrono::steady_clock::now() - startTime;
     std::ostringstream text;
     text
-        << std::fixed << std::setprecision(2) << "ExecutionTime = " << static_cast<double>(std::clock()) / CLOCKS_PER_SEC
-        << " s  ClockTime = " << std::chrono::duration_cast<std::chrono::seconds>(wall).count() << " s";
+        << std::fixed << std::setprecision(2) << "ExecutionTime = " << processor << " s  ClockTime = "
+        << std::chrono::duration_cast<std::chrono::seconds>(wall).count() << " s";
     return text.str();
 }
 

@@ -169,7 +169,8 @@ FieldData readFieldOf
     const Dictionary dict = Dictionary::parse(parts.dictionary, name);
     const Dictionary header = dict.subDict("FoamFile");
 
-    FieldData field{file.filename().string(), readType(header, type), dict.lookupDimensions("dimensions"), parts.uniform, {}};
+    const FieldType found = readType(header, type);
+    FieldData field{file.filename().string(), found, dict.lookupDimensions("dimensions"), parts.uniform, {}};
     if (dimensions && field.dimensions != *dimensions)
     {
         throw FatalInputError

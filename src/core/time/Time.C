@@ -36,7 +36,8 @@ TimeFolder findStart(const fs::path& casePath, const Controls& controls, const D
     const auto folders = timeFolders(casePath);
     if (folders.empty())
     {
-        throw FatalInputError({casePath.string(), 0}, "The case has no time folder", "a folder such as 0 to start from");
+        const SourceLocation where{casePath.string(), 0};
+        throw FatalInputError(where, "The case has no time folder", "a folder such as 0 to start from");
     }
     if (controls.startFrom == StartFrom::firstTime) return folders.front();
     if (controls.startFrom == StartFrom::latestTime) return folders.back();
@@ -47,7 +48,10 @@ TimeFolder findStart(const fs::path& casePath, const Controls& controls, const D
         if (namesTime(folder.name, controls.startTime, controls.deltaT)) return folder;
         names.push_back(folder.name);
     }
-    throw FatalInputError(dict.where("startTime"), "There is no folder of the startTime", "one of the times below", names);
+    throw FatalInputError
+    (
+        dict.where("startTime"), "There is no folder of the startTime", "one of the times below", names
+    );
 }
 
 void checkEnd(const Controls& controls, const Dictionary& dict, double startTime)
@@ -148,7 +152,10 @@ bool Time::reportDue() const
 void Time::write(const std::function<void(const fs::path&)>& fill)
 {
     const fs::path folder = path();
-    if (folder == startFolder_) throw FatalError("Writing would replace " + folder.string() + ", where the run started");
+    if (folder == startFolder_)
+    {
+        throw FatalError("Writing would replace " + folder.string() + ", where the run started");
+    }
     writeFolderAtomically(folder, [&](const fs::path& temporary)
     {
         fill(temporary);

@@ -1,6 +1,7 @@
 #include "core/time/TimeName.H"
 
 #include <cmath>
+#include <system_error>
 
 namespace shizuku
 {

@@ -58,10 +58,8 @@ bool selected(const TimeFolder& folder, const std::vector<TimeRange>& ranges)
 {
     std::vector<std::string> names;
     for (const TimeFolder& folder : folders) names.push_back(folder.name);
-    throw FatalInputError
-    (
-        {args.casePath().string(), 0}, found, names.empty() ? "a time folder such as 0" : "one of the times below", names
-    );
+    const std::string expected = names.empty() ? "a time folder such as 0" : "one of the times below";
+    throw FatalInputError({args.casePath().string(), 0}, found, expected, names);
 }
 
 }

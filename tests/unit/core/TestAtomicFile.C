@@ -76,7 +76,10 @@ TEST(AtomicFile, AnUnwritableFolderIsAnError)
     folder.write("file", "");
     const auto write = [](std::ostream& stream) { stream << "x"; };
     const fs::path below = folder.path() / "file/U";        // a path below a file: unwritable for root, too
-    EXPECT_TRUE(holds(messageOf<FatalError>([&] { writeAtomically(below, write); }), {below.string(), "Not a directory"}));
+    EXPECT_TRUE
+    (
+        holds(messageOf<FatalError>([&] { writeAtomically(below, write); }), {below.string(), "Not a directory"})
+    );
 
     fs::create_directories(folder.path() / "folder/inner");
     EXPECT_TRUE

@@ -112,6 +112,20 @@ TEST(FieldFile, WritesOpenFoamsSyntax)
     );
 }
 
+TEST(FieldFile, TakesTypeAndDimensionsFromTheFileWhereAskedTo)
+{
+    const ScratchFolder folder;
+    const fs::path file = folder.path() / "liquid/density";
+    writeField(file, {"density", FieldType::scalar, dimensions::density, false, {998, 997.5}}, {false, 9});
+    const FieldData field = readField(file, 2);
+    EXPECT_EQ(field.type, FieldType::scalar);
+    EXPECT_EQ(field.dimensions, dimensions::density);
+    EXPECT_EQ(field.values, (std::vector<double>{998, 997.5}));
+    EXPECT_TRUE(holds(messageOf([&] { readField(file, 3); }), {"2 elements", "3 elements"}));
+    folder.write("tensors", "FoamFile { class tensorField; }\ndimensions [];\ninternalField uniform 1;");
+    EXPECT_TRUE(holds(messageOf([&] { readField(folder.path() / "tensors"); }), {"tensorField", "vectorField"}));
+}
+
 TEST(FieldFile, UniformFieldsHaveOneElement)
 {
     const ScratchFolder folder;
@@ -167,7 +181,10 @@ TEST(FieldFile, ReadsBothWidthsOfBinaryFiles)
 
 TEST(FieldFile, RefusesWrongHeaders)
 {
-    EXPECT_TRUE(holds(messageOf([] { readField("no/U", FieldType::vector, dimensions::velocity); }), {"missing", "no/U"}));
+    EXPECT_TRUE
+    (
+        holds(messageOf([] { readField("no/U", FieldType::vector, dimensions::velocity); }), {"missing", "no/U"})
+    );
     EXPECT_TRUE
     (
         holds
@@ -188,8 +205,22 @@ TEST(FieldFile, RefusesWrongHeaders)
     EXPECT_TRUE(holds(errorOf(velocity + "internalField uniform (0 0 0);"), {"FoamFile"}));
     EXPECT_TRUE(holds(errorOf(header + velocity), {"internalField is missing"}));
     EXPECT_TRUE(holds(errorOf(header + velocity + "internalField constant 1;"), {"'constant'", "uniform", "line 3"}));
-    EXPECT_TRUE(holds(errorOf(header + velocity + "boundaryField {}\ninternalField uniform (0 0 0);"), {"boundaryField", "line 3"}));
-    EXPECT_TRUE(holds(errorOf(header + velocity + "internalField nonuniform List<scalar> 1(1);"), {"List<scalar>", "List<vector>", "line 3"}));
+    EXPECT_TRUE
+    (
+        holds
+        (
+            errorOf(header + velocity + "boundaryField {}\ninternalField uniform (0 0 0);"),
+            {"boundaryField", "line 3"}
+        )
+    );
+    EXPECT_TRUE
+    (
+        holds
+        (
+            errorOf(header + velocity + "internalField nonuniform List<scalar> 1(1);"),
+            {"List<scalar>", "List<vector>", "line 3"}
+        )
+    );
 }
 
 TEST(FieldFile, RefusesWrongUniformValues)
@@ -229,7 +260,11 @@ TEST(FieldFile, RefusesWrongLists)
     );
     EXPECT_TRUE
     (
-        holds(messageOf([&] { readField(id, FieldType::label, dimensions::none); }), {"'2.5'", "an integer for element 1"})
+        holds
+        (
+            messageOf([&] { readField(id, FieldType::label, dimensions::none); }),
+            {"'2.5'", "an integer for element 1"}
+        )
     );
 }
 
@@ -245,8 +280,18 @@ TEST(FieldFile, RefusesWrongBinaryLists)
     const std::string whole = binaryScalars(arch, values, 4);
     EXPECT_EQ(readScalars(folder, whole).elements(), 4u);
     // Three bytes of the last number are gone, with the ");\n" behind it.
-    EXPECT_TRUE(holds(errorOfScalars(whole.substr(0, whole.size() - 6)), {"truncated", "element 3", "4 elements of 4 bytes", "line 3"}));
-    EXPECT_TRUE(holds(errorOfScalars(binaryScalars(arch, values, 3)), {"does not end behind its 3 elements", "line 3"}));
+    EXPECT_TRUE
+    (
+        holds
+        (
+            errorOfScalars(whole.substr(0, whole.size() - 6)),
+            {"truncated", "element 3", "4 elements of 4 bytes", "line 3"}
+        )
+    );
+    EXPECT_TRUE
+    (
+        holds(errorOfScalars(binaryScalars(arch, values, 3)), {"does not end behind its 3 elements", "line 3"})
+    );
     EXPECT_TRUE(holds(errorOfScalars(binaryScalars(arch, values, 4000000000000)), {"truncated"}));
     EXPECT_TRUE(holds(errorOfScalars(binaryScalars("LSB;label=32;scalar=64", values, 4)), {"truncated", "8 bytes"}));
     EXPECT_TRUE(holds(errorOfScalars(binaryScalars("MSB;label=32;scalar=32", values, 4)), {"MSB", "\"LSB;", "line 1"}));
@@ -273,7 +318,11 @@ TEST(FieldFile, WritesNothingThatCouldNotBeRead)
     EXPECT_TRUE(holds(errorOfWriting(vectorField({0, 0, 1e300}), true), {"element 0", "finite"}));
     EXPECT_TRUE
     (
-        holds(errorOfWriting({"id", FieldType::label, dimensions::none, false, {1, 3e9}}), {"element 1", "32-bit label"})
+        holds
+        (
+            errorOfWriting({"id", FieldType::label, dimensions::none, false, {1, 3e9}}),
+            {"element 1", "32-bit label"}
+        )
     );
     EXPECT_EQ(folder.list(), std::vector<std::string>());
 }

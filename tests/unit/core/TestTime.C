@@ -157,7 +157,14 @@ TEST(Time, WritesAtMultiplesOfAnInterval)
         Case("writeControl adjustableRunTime; endTime 0.6; deltaT 0.1; writeInterval 0.2;").run(),
         (Names{"0.2", "0.4", "0.6"})
     );
-    EXPECT_TRUE(holds(Case("writeControl adjustableRunTime;\n" + rest).error(), {"writeInterval is 2.5", "whole number of deltaT", "line 2"}));
+    EXPECT_TRUE
+    (
+        holds
+        (
+            Case("writeControl adjustableRunTime;\n" + rest).error(),
+            {"writeInterval is 2.5", "whole number of deltaT", "line 2"}
+        )
+    );
     // No interval is lost or written twice where steps and intervals coincide only now and then.
     const Case folder("writeControl runTime; endTime 300; deltaT 0.1; writeInterval 0.3;");
     Time time(folder.path());
@@ -190,7 +197,14 @@ TEST(Time, FoldersKeepTheWholeState)
     folder.run();
     EXPECT_EQ(folder.list(), (Names{"0", "0.5", "1", "system"}));
     EXPECT_EQ(folder.read("0/liquid/positions"), "initial");
-    EXPECT_TRUE(holds(folder.read("0.5/uniform/time"), {"index           5;", "deltaT          0.10000000000000001;", "location    \"0.5/uniform\""}));
+    EXPECT_TRUE
+    (
+        holds
+        (
+            folder.read("0.5/uniform/time"),
+            {"index           5;", "deltaT          0.10000000000000001;", "location    \"0.5/uniform\""}
+        )
+    );
 }
 
 TEST(Time, PurgesWhatThisRunWrote)
@@ -314,13 +328,19 @@ TEST(Time, RefusesBadControls)
     EXPECT_TRUE(holds(error("deltaT 0.1;\nendTime [0 1 0 0 0 0 0] 1;\nwriteInterval 1;"), {"endTime", "line 2"}));
     EXPECT_TRUE(holds(error("deltaT 0.1;\nendTime 1;\nwriteInterval 0;"), {"writeInterval is 0", "line 3"}));
     EXPECT_TRUE(holds(error("deltaT 0.1;\nendTime 1;\nwriteInterval 2.5;"), {"writeInterval", "line 3"}));
-    EXPECT_TRUE(holds(error("deltaT 0.1;\nendTime 1;\nwriteControl runTime;\nwriteInterval -1;"), {"writeInterval", "line 4"}));
+    EXPECT_TRUE
+    (
+        holds(error("deltaT 0.1;\nendTime 1;\nwriteControl runTime;\nwriteInterval -1;"), {"writeInterval", "line 4"})
+    );
     EXPECT_TRUE(holds(error("deltaT 0.1;\nendTime 1;"), {"writeInterval"}));
     EXPECT_TRUE(holds(error(tenSteps + "writeControl cpuTime;"), {"cpuTime", "adjustableRunTime", "line 2"}));
     EXPECT_TRUE(holds(error(tenSteps + "purgeWrite -1;"), {"purgeWrite is -1", "line 2"}));
     EXPECT_TRUE(holds(error(tenSteps + "writePrecision 18;"), {"writePrecision is 18", "1 to 17", "line 2"}));
     EXPECT_TRUE(holds(error(tenSteps + "writeFormat text;"), {"text", "binary", "line 2"}));
-    EXPECT_TRUE(holds(error(tenSteps + "runTimeModifyable yes;"), {"runTimeModifyable", "runTimeModifiable", "line 2"}));
+    EXPECT_TRUE
+    (
+        holds(error(tenSteps + "runTimeModifyable yes;"), {"runTimeModifyable", "runTimeModifiable", "line 2"})
+    );
     EXPECT_TRUE(holds(error(tenSteps + "maxCo 0;"), {"maxCo", "line 2"}));
 }
 
