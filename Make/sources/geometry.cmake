@@ -5,6 +5,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/Drops.C
     geometry/LiquidFiles.C
     geometry/MeshTopology.C
+    geometry/NearestPoint.C
     geometry/PlaneFit.C
     geometry/PlyFile.C
     geometry/PointsInside.C
@@ -14,6 +15,15 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/TriangleMesh.C
     geometry/Vector3.C
     geometry/WallPlane.C
+    geometry/liquidBodies/BoxBody.C
+    geometry/liquidBodies/CapBody.C
+    geometry/liquidBodies/CylinderBody.C
+    geometry/liquidBodies/LiquidBody.C
+    geometry/liquidBodies/LiquidChecks.C
+    geometry/liquidBodies/SphereBody.C
+    geometry/thetaModels/ConstantTheta.C
+    geometry/thetaModels/ThetaField.C
+    geometry/thetaModels/ThetaModel.C
 )
 
 # Solid particles on surfaces. CGAL.

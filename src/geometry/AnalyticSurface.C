@@ -170,7 +170,6 @@ std::vector<AnalyticSurface> readAnalyticSurfaces(const Dictionary& walls)
     std::vector<AnalyticSurface> surfaces;
     for (const std::string& name : walls.keys())
     {
-        if (name == "FoamFile") continue;
         const Dictionary wall = walls.subDict(name);
         const std::string type = wall.lookupChoice("type", {"particles", "plane", "sphere", "cylinder", "box"});
         if (type == "particles")

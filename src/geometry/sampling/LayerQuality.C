@@ -71,13 +71,14 @@ LayerQuality measureQuality(const ParticleLayer& layer)
         const double mean = sum/inner;
         quality.densityVariation = std::sqrt(std::max(0.0, sum2/inner - mean*mean))/mean;
     }
-    layer.surface().forEachPiece(0.2*spacing, [&](const SurfacePoint& place)
+    layer.surface().searchPieces(0.1*spacing, [&](const SurfacePoint& place, double pieceRadius)
     {
+        if (pieceRadius >= spacing) return true;
         const Vector3 x = layer.particleAt(place).position;
-        if (grid.anyWithin(x, quality.largestHole)) return;
         double radius = support, distance = grid.nearestDistance(x, radius);
         while (!std::isfinite(distance)) distance = grid.nearestDistance(x, radius *= 2);
-        quality.largestHole = distance;
+        quality.largestHole = std::max(quality.largestHole, distance);
+        return distance + pieceRadius > quality.largestHole;
     });
     return quality;
 }

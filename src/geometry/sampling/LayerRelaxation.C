@@ -13,7 +13,6 @@ constexpr double stiffness = 0.35;      // step over repulsion, in spacings
 constexpr double longestStep = 0.15;    // in spacings
 constexpr double wideReach = 2;         // in spacings; sharp edges are seen from this far
 constexpr double smoothCosine = 0.866;  // normals that deviate by more than 30 degrees tell of a sharp edge
-constexpr double flatCosine = 0.9999;   // and by more than about one degree, of a surface that is not flat
 
 // The least cosine between a particle's normal and those of the particles around it.
 double leastCosine(const ParticleLayer& layer, const PointGrid& grid, const LayerParticle& particle)
@@ -26,15 +25,6 @@ double leastCosine(const ParticleLayer& layer, const PointGrid& grid, const Laye
     return least;
 }
 
-}
-
-void fixLatticeInterior(ParticleLayer& layer)
-{
-    const PointGrid grid = layer.grid(wideReach*layer.spacing());
-    for (LayerParticle& particle : layer.particles())
-    {
-        particle.fixed = particle.fixed && leastCosine(layer, grid, particle) > flatCosine;
-    }
 }
 
 void relax(ParticleLayer& layer, int iterations, const std::function<void(double)>& report)
@@ -103,13 +93,18 @@ void fillHoles(ParticleLayer& layer, double hole, double cover)
     PointGrid grid = layer.grid(cover);
     for (const double radius : {hole, cover})
     {
-        layer.surface().forEachPiece(resolution, [&](const SurfacePoint& place)
+        layer.surface().searchPieces(resolution, [&](const SurfacePoint& place, double pieceRadius)
         {
+            if (pieceRadius >= radius) return true;
             const LayerParticle particle = layer.particleAt(place);
-            if (grid.anyWithin(particle.position, radius)) return;
-            if (radius < cover && !layer.clear(particle)) return;
-            grid.insert(particle.position);
-            layer.particles().push_back(particle);
+            const double distance = grid.nearestDistance(particle.position, radius);
+            if (distance + pieceRadius <= radius) return false;
+            if (distance > radius && (radius == cover || layer.clear(particle)))
+            {
+                grid.insert(particle.position);
+                layer.particles().push_back(particle);
+            }
+            return true;
         });
     }
 }

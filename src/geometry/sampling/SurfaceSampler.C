@@ -11,9 +11,10 @@ namespace shizuku
 namespace
 {
     constexpr double smallestGap = 0.75;    // spacings
+    constexpr double seedHole = 0.8;
     constexpr double hole = 0.85;           // spacings: a particle fits with room to spare
     constexpr double cover = 0.9;           // spacings: a particle is put there, come what may
-    constexpr int settlingIterations = 5;   // after particles were taken out and added
+    constexpr int rounds = 3;
 }
 
 SampledSurface sampleSurface
@@ -30,15 +31,13 @@ SampledSurface sampleSurface
 
     addPlanarLattices(layer);
     SeedMethodTable::New("method", parameters.method, {})->addSeeds(layer, random);
-    fillHoles(layer, hole*spacing, cover*spacing);
-    fixLatticeInterior(layer);
-
-    relax(layer, parameters.iterations, [&](double fraction) { progress.update(0.9*fraction); });
-    thinOut(layer, smallestGap*spacing);
-    fillHoles(layer, hole*spacing, cover*spacing);
-    relax(layer, settlingIterations, [&](double fraction) { progress.update(0.9 + 0.1*fraction); });
-    thinOut(layer, smallestGap*spacing);
-    fillHoles(layer, hole*spacing, cover*spacing);
+    fillHoles(layer, seedHole*spacing, cover*spacing);
+    for (int round = 0; round < rounds; ++round)
+    {
+        relax(layer, parameters.iterations/rounds, [&](double part) { progress.update((round + part)/rounds); });
+        thinOut(layer, smallestGap*spacing);
+        fillHoles(layer, hole*spacing, cover*spacing);
+    }
 
     SampledSurface result;
     result.quality = measureQuality(layer);

@@ -1,0 +1,105 @@
+// Puts solid particles onto the walls of type particles: constant/triSurface -> constant/solid.
+
+#include "SampledWall.H"
+#include "WallSurface.H"
+#include "core/arguments/runApplication.H"
+#include "core/time/Time.H"
+#include "geometry/sampling/SeedMethod.H"
+#include "geometry/sampling/SurfaceSampler.H"
+
+#include <algorithm>
+#include <iostream>
+
+using namespace shizuku;
+
+namespace
+{
+
+const ApplicationInfo info
+{
+    "sampleSurface", "Put a layer of solid particles onto the surfaces of the walls (constant/triSurface to constant/solid).",
+    {}
+};
+
+// system/sampleSurfaceDict may be absent: every entry has a default.
+SamplingParameters readParameters(const std::filesystem::path& casePath)
+{
+    SamplingParameters parameters;
+    parameters.spacing =
+        Dictionary::read(casePath/"system"/"solution").lookupPositive("spacing", dimensions::length);
+    const std::filesystem::path file = casePath/"system"/"sampleSurfaceDict";
+    if (std::filesystem::exists(file))
+    {
+        const Dictionary dict = Dictionary::read(file);
+        parameters.method = dict.lookupChoiceOr("method", SeedMethodTable::words(), parameters.method);
+        parameters.offset = dict.lookupOr("offset", parameters.offset);
+        parameters.iterations = dict.lookupOr("iterations", parameters.iterations);
+        if (parameters.iterations < 0)
+        {
+            throw FatalInputError(dict.where("iterations"), "A negative number of iterations", "0 or more");
+        }
+        if (!(std::abs(parameters.offset) <= 1))
+        {
+            throw FatalInputError
+            (
+                dict.where("offset"), "The offset is more than one spacing", "spacings along the normal, -0.5 as a rule"
+            );
+        }
+        dict.refuseUnused();
+    }
+    return parameters;
+}
+
+void report(const std::string& wall, const LayerQuality& quality, double spacing)
+{
+    std::cout
+        << wall << ": " << quality.count << " particles\n"
+        << "    minimal gap        " << quality.minGap/spacing << " spacings\n"
+        << "    mean gap           " << quality.meanGap/spacing << " spacings\n"
+        << "    largest hole       " << quality.largestHole/spacing << " spacings\n"
+        << "    density variation  " << 100*quality.densityVariation << " %\n";
+}
+
+// Contact angles are given by the name of a patch, so a name must mean one patch.
+void refuseSharedPatches(const SolidParticles& solid, const SolidParticles& added, const SampledWall& wall)
+{
+    for (const std::string& name : added.patches)
+    {
+        if (std::find(solid.patches.begin(), solid.patches.end(), name) == solid.patches.end()) continue;
+        throw FatalInputError
+        (
+            wall.where, "The patch '" + name + "' of wall '" + wall.name + "' is a patch of an earlier wall too",
+            "another name behind `solid` in " + wall.file.string()
+        );
+    }
+}
+
+void run(const Arguments& args)
+{
+    const SamplingParameters parameters = readParameters(args.casePath());
+    const std::vector<SampledWall> walls = readSampledWalls(args.casePath());
+    if (walls.empty())
+    {
+        std::cout << "No wall in constant/walls is of type particles: there is nothing to sample\n";
+        return;
+    }
+
+    SolidParticles solid;
+    for (const SampledWall& wall : walls)
+    {
+        const PatchedSurface surface = loadSurface(wall, parameters.spacing);
+        const SampledSurface sampled = sampleSurface(surface, parameters, "Sampling " + wall.file.filename().string());
+        report(wall.name, sampled.quality, parameters.spacing);
+        refuseSharedPatches(solid, sampled.particles, wall);
+        solid.append(sampled.particles);
+    }
+    writeSolidParticles(args.casePath(), solid, Time(args.casePath()).format());
+    std::cout << "Wrote constant/solid: " << solid.positions.size() << " particles\n";
+}
+
+}
+
+int main(int argc, char** argv)
+{
+    return runApplication(argc, argv, info, run);
+}

@@ -1,0 +1,96 @@
+// Gives every solid particle its contact angle: constant/wettability -> 0/solid/theta.
+
+#include "core/arguments/runApplication.H"
+#include "core/time/Time.H"
+#include "geometry/thetaModels/ThetaField.H"
+
+#include <algorithm>
+#include <iostream>
+
+using namespace shizuku;
+
+namespace
+{
+
+const ApplicationInfo info
+{
+    "sampleTheta", "Give every solid particle the contact angle of its patch (constant/wettability to 0/solid/theta).", {}
+};
+
+bool haveSampledWall(const Dictionary& walls)
+{
+    const std::vector<std::string> names = walls.keys();
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name)
+    {
+        return walls.subDict(name).lookupOr<std::string>("type", "") == "particles";
+    });
+}
+
+void report(const SolidParticles& solid, const std::vector<double>& theta)
+{
+    for (std::size_t patch = 0; patch < solid.patches.size(); ++patch)
+    {
+        std::size_t count = 0;
+        double low = 180, high = 0;
+        for (std::size_t i = 0; i < theta.size(); ++i)
+        {
+            if (solid.patch[i] != static_cast<int>(patch)) continue;
+            ++count;
+            low = std::min(low, theta[i]);
+            high = std::max(high, theta[i]);
+        }
+        std::cout << solid.patches[patch] << ": " << count << " particles";
+        if (count > 0) std::cout << ", theta " << low << " to " << high << " degrees";
+        std::cout << "\n";
+    }
+}
+
+FieldData toField(const std::vector<double>& theta)
+{
+    FieldData field{"theta", FieldType::scalar, dimensions::none, false, theta};
+    if (std::adjacent_find(theta.begin(), theta.end(), std::not_equal_to<>()) == theta.end())
+    {
+        field.uniform = true;
+        field.values.resize(1);
+    }
+    return field;
+}
+
+void run(const Arguments& args)
+{
+    const std::filesystem::path& casePath = args.casePath();
+    const Dictionary walls = Dictionary::read(casePath/"constant"/"walls");
+    const std::vector<AnalyticSurface> analytic = readAnalyticSurfaces(walls);
+    const bool sampled = haveSampledWall(walls);
+    if (!sampled && analytic.empty())
+    {
+        std::cout << "The case has no walls: there is nothing to do\n";
+        return;
+    }
+    if (sampled && !haveSolidParticles(casePath))
+    {
+        throw FatalInputError
+        (
+            {(casePath/"constant"/"solid").string(), 0}, "The case has no solid particles", "run sampleSurface first"
+        );
+    }
+
+    const SolidParticles solid = sampled ? readSolidParticles(casePath) : SolidParticles();
+    const std::vector<double> theta =
+        thetaField(solid, analytic, Dictionary::read(casePath/"constant"/"wettability"));
+    if (!sampled)
+    {
+        std::cout << "No wall is sampled with particles: the contact angles are in order, there is nothing to write\n";
+        return;
+    }
+    report(solid, theta);
+    writeField(casePath/"0"/"solid"/"theta", toField(theta), Time(casePath).format());
+    std::cout << "Wrote 0/solid/theta\n";
+}
+
+}
+
+int main(int argc, char** argv)
+{
+    return runApplication(argc, argv, info, run);
+}
