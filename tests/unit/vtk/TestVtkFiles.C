@@ -1,0 +1,195 @@
+// Everything is read back by other programs' readers: VTK's for .vtp, Boost's for the XML and JSON of the animations.
+
+#include "support/CapMesh.H"
+#include "support/ScratchFolder.H"
+#include "vtk/VtkSeries.H"
+#include "vtk/VtpFile.H"
+
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> readBack(const std::filesystem::path& file)
+{
+    vtkNew<vtkXMLPolyDataReader> reader;
+    EXPECT_TRUE(reader->CanReadFile(file.c_str()));
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    EXPECT_EQ(reader->GetErrorCode(), 0u);
+    return reader->GetOutput();
+}
+
+VtpContent particles()
+{
+    VtpContent content;
+    for (int i = 0; i < 1000; ++i) content.points.push_back({1e-3*i, 2e-3/(i + 1), -1e-4*i});
+    FieldData u{"U", FieldType::vector, dimensions::velocity, false, {}};
+    FieldData id{"id", FieldType::label, dimensions::none, false, {}};
+    for (int i = 0; i < 1000; ++i)
+    {
+        u.values.insert(u.values.end(), {0.1*i, -0.2*i, 1.0/3});
+        id.values.push_back(16777217 + i);      // beyond what a float keeps
+    }
+    content.pointFields = {u, id, {"density", FieldType::scalar, dimensions::density, true, {998}}};
+    content.values = {{"TimeValue", 0.1 + 0.2}, {"particleSpacing", 1.28e-4}};
+    return content;
+}
+
+}
+
+class VtpEncoding : public testing::TestWithParam<std::string> {};
+
+TEST_P(VtpEncoding, ParticlesComeBack)
+{
+    const ScratchFolder folder;
+    const VtpContent content = particles();
+    writeVtp(folder.path()/"p.vtp", content, vtkEncodingFrom(GetParam()));
+    const auto data = readBack(folder.path()/"p.vtp");
+
+    ASSERT_EQ(data->GetNumberOfPoints(), 1000);
+    EXPECT_EQ(data->GetNumberOfVerts(), 1000);
+    vtkDataArray* const u = data->GetPointData()->GetArray("U");
+    vtkDataArray* const id = data->GetPointData()->GetArray("id");
+    vtkDataArray* const density = data->GetPointData()->GetArray("density");
+    ASSERT_TRUE(u && id && density);
+    ASSERT_EQ(u->GetNumberOfComponents(), 3);
+    EXPECT_EQ(u->GetDataType(), VTK_FLOAT);
+    EXPECT_EQ(data->GetPoints()->GetDataType(), VTK_FLOAT);
+    for (int i = 0; i < 1000; ++i)
+    {
+        // VTK's text has eleven digits and the others are bytes: floats come back exactly.
+        for (int c = 0; c < 3; ++c)
+        {
+            EXPECT_EQ(data->GetPoint(i)[c], double(float(content.points[i][c])));
+            EXPECT_EQ(u->GetComponent(i, c), double(float(content.pointFields[0](i, c))));
+        }
+        EXPECT_EQ(id->GetTuple1(i), 16777217 + i);
+        EXPECT_EQ(density->GetTuple1(i), 998);
+    }
+    // Field data are doubles; VTK's text keeps eleven digits of them.
+    EXPECT_NEAR(data->GetFieldData()->GetArray("TimeValue")->GetTuple1(0), 0.3, 1e-11);
+    EXPECT_NEAR(data->GetFieldData()->GetArray("particleSpacing")->GetTuple1(0), 1.28e-4, 1e-15);
+}
+
+TEST_P(VtpEncoding, MeshesComeBackWithTheirNormals)
+{
+    const ScratchFolder folder;
+    TriangleMesh mesh = icosphereMesh(2);
+    mesh.normals = mesh.vertices;
+    writeVtp(folder.path()/"m.vtp", vtpOf(mesh), vtkEncodingFrom(GetParam()));
+    const auto data = readBack(folder.path()/"m.vtp");
+
+    ASSERT_EQ(data->GetNumberOfPolys(), vtkIdType(mesh.faces.size()));
+    EXPECT_EQ(data->GetNumberOfVerts(), 0);
+    vtkNew<vtkIdList> corners;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    {
+        data->GetCellPoints(vtkIdType(f), corners);
+        ASSERT_EQ(corners->GetNumberOfIds(), 3);
+        for (int k = 0; k < 3; ++k) EXPECT_EQ(corners->GetId(k), mesh.faces[f][k]);
+    }
+    vtkDataArray* const normals = data->GetPointData()->GetNormals();
+    ASSERT_TRUE(normals);
+    EXPECT_EQ(normals->GetComponent(7, 1), double(float(mesh.normals[7].y)));
+}
+
+TEST_P(VtpEncoding, NoParticlesAreWrittenToo)
+{
+    const ScratchFolder folder;
+    writeVtp(folder.path()/"none.vtp", {}, vtkEncodingFrom(GetParam()));
+    EXPECT_EQ(readBack(folder.path()/"none.vtp")->GetNumberOfPoints(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Encodings, VtpEncoding, testing::Values("ascii", "binary", "appended"));
+
+TEST(VtpFile, BinaryFilesAreCompressed)
+{
+    const ScratchFolder folder;
+    writeVtp(folder.path()/"a.vtp", particles(), VtkEncoding::ascii);
+    writeVtp(folder.path()/"c.vtp", particles(), VtkEncoding::appended);
+    EXPECT_NE(folder.read("c.vtp").find("vtkZLibDataCompressor"), std::string::npos);
+    EXPECT_LT(std::filesystem::file_size(folder.path()/"c.vtp"), std::filesystem::file_size(folder.path()/"a.vtp")/2);
+}
+
+TEST(VtpFile, RefusesAFieldOfAnotherLengthAndLeavesNothing)
+{
+    const ScratchFolder folder;
+    VtpContent content = particles();
+    content.pointFields[1].values.pop_back();
+    const std::string message = messageOf<FatalError>
+    (
+        [&] { writeVtp(folder.path()/"p.vtp", content, VtkEncoding::binary); }
+    );
+    EXPECT_TRUE(holds(message, {"id", "999", "1000"}));
+    EXPECT_TRUE(folder.list().empty());
+}
+
+TEST(VtpFile, UnknownEncodingIsRefusedWithTheChoices)
+{
+    const std::string message = messageOf([] { vtkEncodingFrom("apended"); });
+    EXPECT_TRUE(holds(message, {"apended", "appended", "ascii", "binary"}));
+}
+
+TEST(VtkSeries, AnimationNamesEveryFileWithItsTime)
+{
+    const ScratchFolder folder;
+    VtkSeries series(folder.path(), "solid", VtkEncoding::appended);
+    series.add(0, 0, particles(), 1.28e-4);
+    series.repeat(1e-3);
+    series.add(0.1 + 0.2, 2, particles(), 1.28e-4);
+    series.finish();
+
+    const std::vector<double> times{0, 1e-3, 0.3};
+    const std::vector<std::string> files{"solid/solid_0.vtp", "solid/solid_0.vtp", "solid/solid_2.vtp"};
+
+    boost::property_tree::ptree pvd;
+    boost::property_tree::read_xml((folder.path()/"VTK/solid.pvd").string(), pvd);
+    EXPECT_EQ(pvd.get<std::string>("VTKFile.<xmlattr>.type"), "Collection");
+    std::size_t n = 0;
+    for (const auto& [name, set] : pvd.get_child("VTKFile.Collection"))
+    {
+        ASSERT_LT(n, times.size());
+        EXPECT_EQ(set.get<double>("<xmlattr>.timestep"), times[n]);     // fifteen digits: 0.3 again
+        EXPECT_EQ(set.get<std::string>("<xmlattr>.file"), files[n]);
+        EXPECT_TRUE(std::filesystem::exists(folder.path()/"VTK"/files[n]));
+        ++n;
+    }
+    EXPECT_EQ(n, times.size());
+
+    boost::property_tree::ptree json;
+    boost::property_tree::read_json((folder.path()/"VTK/solid.vtp.series").string(), json);
+    EXPECT_EQ(json.get<std::string>("file-series-version"), "1.0");
+    n = 0;
+    for (const auto& [name, entry] : json.get_child("files"))
+    {
+        ASSERT_LT(n, times.size());
+        EXPECT_EQ(entry.get<double>("time"), times[n]);
+        EXPECT_EQ(entry.get<std::string>("name"), files[n]);
+        ++n;
+    }
+    EXPECT_EQ(n, times.size());
+
+    const auto last = readBack(folder.path()/"VTK/solid/solid_2.vtp");
+    EXPECT_NEAR(last->GetFieldData()->GetArray("TimeValue")->GetTuple1(0), 0.3, 1e-15);
+    EXPECT_EQ(last->GetFieldData()->GetArray("particleSpacing")->GetTuple1(0), 1.28e-4);
+}
+
+TEST(VtkSeries, WithoutAFileWritesNothing)
+{
+    const ScratchFolder folder;
+    VtkSeries(folder.path(), "liquid", VtkEncoding::ascii).finish();
+    EXPECT_TRUE(folder.list().empty());
+}
