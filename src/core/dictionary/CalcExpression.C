@@ -66,13 +66,15 @@ const std::map<std::string, Function>& functions()
     static const std::map<std::string, Function> table
     {
         {"abs", unary(std::fabs)}, {"mag", unary(std::fabs)}, {"sqrt", unary(std::sqrt)},
+        {"sinh", unary(std::sinh)}, {"cosh", unary(std::cosh)}, {"tanh", unary(std::tanh)}, {"log10", unary(std::log10)},
         {"sqr", unary([](double x) { return x*x; })}, {"exp", unary(std::exp)}, {"log", unary(std::log)},
         {"sin", unary(std::sin)}, {"cos", unary(std::cos)}, {"tan", unary(std::tan)},
         {"asin", unary(std::asin)}, {"acos", unary(std::acos)}, {"atan", unary(std::atan)},
         {"floor", unary(std::floor)}, {"ceil", unary(std::ceil)},
         {"degToRad", unary([](double x) { return x*std::numbers::pi/180; })},
         {"radToDeg", unary([](double x) { return x*180/std::numbers::pi; })},
-        {"atan2", binary(std::atan2)}, {"pow", binary(std::pow)}, {"min", binary(std::fmin)}, {"max", binary(std::fmax)},
+        {"atan2", binary(std::atan2)}, {"hypot", binary(std::hypot)}, {"pow", binary(std::pow)}, {"min", binary(std::fmin)},
+        {"max", binary(std::fmax)},
         {"pi", {0, [](const std::vector<double>&) { return std::numbers::pi; }}}
     };
     return table;
@@ -219,6 +221,7 @@ const auto sign_def = ('-' > sign[applied(std::negate<>())]) | ('+' > sign[pass]
 const auto power_def = primary[pass] >> -('^' > sign[raise]);
 const auto primary_def = x3::double_[constant] | ('(' > choice[pass] > ')') | macro[macroValue]
     | (name >> arguments)[functionCall] | name[constantCall];
+const auto blank = x3::space | "//" >> *(x3::char_ - x3::eol) | "/*" >> *(x3::char_ - "*/") >> "*/";
 const auto arguments_def = '(' >> -(choice[add] % ',') > ')';
 const auto name_def = x3::lexeme[x3::raw[x3::alpha >> *(x3::alnum | '_')][addName]];
 const auto macro_def = x3::lexeme['$' > ('{' >> x3::raw[+(x3::char_ - '}')][addName] >> '}'
@@ -236,7 +239,7 @@ double evaluate(const std::string& expression, const SourceLocation& where, cons
     try
     {
         const auto parser = x3::with<EvaluationTag>(std::cref(evaluation))[choice > x3::eoi];
-        x3::phrase_parse(first, expression.end(), parser, x3::space, term);
+        x3::phrase_parse(first, expression.end(), parser, blank, term);
     }
     catch (const x3::expectation_failure<std::string::const_iterator>& failure)
     {

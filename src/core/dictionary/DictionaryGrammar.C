@@ -235,8 +235,6 @@ struct BodyTag : StatementsTag {};
 const x3::rule<BodyTag, Tree> body = "{ .. }";
 
 struct UniformListTag : ListTag {};
-const auto sizeText = x3::uint_ >> &char_("({");
-
 const auto list_def = located(x3::eps[mark<NodeKind::list>]
     >> -lexeme[raw[x3::uint_ >> &lit('(')][setText]] >> '(' > *(item[addItem] | body[addItem]) > ')');
 const auto uniformList_def = located(x3::eps[mark<NodeKind::uniformList>]
@@ -251,11 +249,11 @@ const auto item_def = list[passOn] | uniformList[passOn] | number[passOn] | stri
 
 const x3::rule<StatementsTag, Tree> document = "dictionary";
 const x3::rule<EntryTag, Tree> entry = "entry";
-const x3::rule<class MacroStatementTag, Tree> macroStatement = "$macro;";
+const x3::rule<class MacroStatementTag, Tree> macroStatement = "$macro;";      // the last one in { } needs no ';'
 
 const auto keyword = word[setKeyword] | string[setKeyword] | macro[setKeyword];
 const auto statements = *(entry[addStatement] | directive[addStatement] | macroStatement[addStatement] | ';');
-const auto macroStatement_def = macro[passOn] >> ';';
+const auto macroStatement_def = macro[passOn] >> (lit(';') | &lit('}') | x3::eoi);
 const auto entry_def = located(!(number | macroStatement) >> keyword >> (body[setBody] | (x3::eps > *item[addValueItem] > ';')));
 const auto body_def = located('{' >> raw[x3::eps > statements][setBodySpan] > '}');
 const auto document_def = located(x3::eps > statements > x3::eoi);

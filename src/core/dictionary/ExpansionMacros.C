@@ -1,5 +1,6 @@
 #include "core/dictionary/Expansion.H"
 #include "core/dictionary/DictionaryGrammar.H"
+#include "core/dictionary/IncludeFile.H"
 #include "core/dictionary/ValueReader.H"
 
 #include <cctype>
@@ -57,8 +58,14 @@ std::string Expansion::withMacros(const std::string& text, const SourceLocation&
         std::size_t end = begin;
         const auto inName = [&](char c) { return braced ? c != '}' : std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == ':'; };
         while (end < text.size() && inName(text[end])) ++end;
-        ValueReader reader(resolve(text.substr(begin, end - begin), where), "one word, to be part of a file name");
-        result += reader.read<std::string>();
+        const std::string name = text.substr(begin, end - begin);
+        if (name == "FOAM_CASE" && !std::getenv("FOAM_CASE")) result += caseFolder(files_.back()).string();
+        else
+        {
+            const Tree source = resolve(name, where);
+            ValueReader reader(source, "one word, to be part of a file name");
+            result += reader.read<std::string>();
+        }
         i = end + (braced ? 1 : 0);
     }
     return result;
@@ -68,7 +75,8 @@ std::string Expansion::keywordOf(const Tree& syntax) const
 {
     const NodeData& data = syntax.data();
     if (data.style != KeywordStyle::macro) return data.text;
-    ValueReader reader(resolve(data.text, data.where), "one word, to be a keyword");
+    const Tree source = resolve(data.text, data.where);
+    ValueReader reader(source, "one word, to be a keyword");
     const std::string keyword = reader.read<std::string>();
     reader.finish();
     return keyword;

@@ -16,15 +16,15 @@ fs::path environmentPath(const char* variable)
     return value ? fs::path(value) : fs::path();
 }
 
-fs::path caseAbove(const fs::path& file)
+}
+
+fs::path caseFolder(const fs::path& file)
 {
     for (fs::path folder = fs::absolute(file).lexically_normal().parent_path(); ; folder = folder.parent_path())
     {
         if (fs::exists(folder/"system"/"controlDict")) return folder;
         if (folder == folder.root_path()) return fs::current_path();
     }
-}
-
 }
 
 std::optional<fs::path> findEtcFile(const std::string& name)
@@ -40,9 +40,9 @@ fs::path includePath(const std::string& name, const fs::path& includingFile)
 {
     const auto behind = [&](const std::string& prefix) { return name.substr(prefix.size()); };
     if (name.starts_with("~/")) return environmentPath("HOME")/behind("~/");
-    if (name.starts_with("<case>/")) return caseAbove(includingFile)/behind("<case>/");
-    if (name.starts_with("<system>/")) return caseAbove(includingFile)/"system"/behind("<system>/");
-    if (name.starts_with("<constant>/")) return caseAbove(includingFile)/"constant"/behind("<constant>/");
+    if (name.starts_with("<case>/")) return caseFolder(includingFile)/behind("<case>/");
+    if (name.starts_with("<system>/")) return caseFolder(includingFile)/"system"/behind("<system>/");
+    if (name.starts_with("<constant>/")) return caseFolder(includingFile)/"constant"/behind("<constant>/");
     if (name.starts_with("<etc>/")) return findEtcFile(behind("<etc>/")).value_or(behind("<etc>/"));
     return (includingFile.parent_path()/name).lexically_normal();
 }
