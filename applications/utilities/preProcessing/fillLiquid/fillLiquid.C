@@ -2,7 +2,7 @@
 
 #include "core/arguments/runApplication.H"
 #include "core/fieldFile/AtomicFile.H"
-#include "core/time/Time.H"
+#include "core/time/Controls.H"
 #include "geometry/VectorField.H"
 #include "geometry/liquidBodies/LiquidChecks.H"
 
@@ -73,6 +73,7 @@ void writeLiquid(const std::filesystem::path& folder, const std::vector<FilledBo
 void run(const Arguments& args)
 {
     const std::filesystem::path& casePath = args.casePath();
+    const WriteFormat format = readControls(Dictionary::read(casePath/"system"/"controlDict")).format;
     const double spacing = readSpacing(casePath);
     const std::vector<FilledBody> bodies = readBodies(Dictionary::read(casePath/"system"/"fillLiquidDict"), spacing);
     const std::vector<AnalyticSurface> walls = readAnalyticSurfaces(Dictionary::read(casePath/"constant"/"walls"));
@@ -86,7 +87,7 @@ void run(const Arguments& args)
         refuseInsideSolid(body, solid, spacing);
     }
     refuseOverlaps(bodies, spacing);
-    writeLiquid(casePath/"0"/"liquid", bodies, Time(casePath).format());
+    writeLiquid(casePath/"0"/"liquid", bodies, format);
 }
 
 }

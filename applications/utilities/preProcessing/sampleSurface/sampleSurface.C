@@ -3,7 +3,7 @@
 #include "SampledWall.H"
 #include "WallSurface.H"
 #include "core/arguments/runApplication.H"
-#include "core/time/Time.H"
+#include "core/time/Controls.H"
 #include "geometry/sampling/SeedMethod.H"
 #include "geometry/sampling/SurfaceSampler.H"
 
@@ -76,6 +76,7 @@ void refuseSharedPatches(const SolidParticles& solid, const SolidParticles& adde
 
 void run(const Arguments& args)
 {
+    const WriteFormat format = readControls(Dictionary::read(args.casePath()/"system"/"controlDict")).format;
     const SamplingParameters parameters = readParameters(args.casePath());
     const std::vector<SampledWall> walls = readSampledWalls(args.casePath());
     if (walls.empty())
@@ -93,7 +94,7 @@ void run(const Arguments& args)
         refuseSharedPatches(solid, sampled.particles, wall);
         solid.append(sampled.particles);
     }
-    writeSolidParticles(args.casePath(), solid, Time(args.casePath()).format());
+    writeSolidParticles(args.casePath(), solid, format);
     std::cout << "Wrote constant/solid: " << solid.positions.size() << " particles\n";
 }
 

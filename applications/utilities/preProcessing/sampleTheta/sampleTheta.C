@@ -1,7 +1,7 @@
 // Gives every solid particle its contact angle: constant/wettability -> 0/solid/theta.
 
 #include "core/arguments/runApplication.H"
-#include "core/time/Time.H"
+#include "core/time/Controls.H"
 #include "geometry/thetaModels/ThetaField.H"
 
 #include <algorithm>
@@ -59,6 +59,7 @@ FieldData toField(const std::vector<double>& theta)
 void run(const Arguments& args)
 {
     const std::filesystem::path& casePath = args.casePath();
+    const WriteFormat format = readControls(Dictionary::read(casePath/"system"/"controlDict")).format;
     const Dictionary walls = Dictionary::read(casePath/"constant"/"walls");
     const std::vector<AnalyticSurface> analytic = readAnalyticSurfaces(walls);
     const bool sampled = haveSampledWall(walls);
@@ -84,7 +85,7 @@ void run(const Arguments& args)
         return;
     }
     report(solid, theta);
-    writeField(casePath/"0"/"solid"/"theta", toField(theta), Time(casePath).format());
+    writeField(casePath/"0"/"solid"/"theta", toField(theta), format);
     std::cout << "Wrote 0/solid/theta\n";
 }
 
