@@ -35,6 +35,9 @@ set(SHIZUKU_DEVICE_SOURCES
     models/bodyForce/BodyForce.C
     models/bodyForce/none/none.C
     models/bodyForce/gravity/Gravity.C
+    surface/MarchingCubesTable.C
+    surface/BlockMap.C
+    surface/LiquidSurface.C
     functionObjects/FunctionObjects.C
     functionObjects/liquidState/LiquidStateTable.C
 )

@@ -1,6 +1,6 @@
 #include "particles/FieldRegistry.H"
 
-#include "device/ForEach.H"
+#include "device/Gather.H"
 
 namespace shizuku
 {
@@ -9,20 +9,9 @@ namespace
 {
 
 template<class T>
-struct Gather
+void reorderBy(const Buffer<std::uint32_t>& order, Buffer<T>& field, Buffer<T>& scratch)
 {
-    Span<const std::uint32_t> order;
-    Span<const T> from;
-    Span<T> to;
-
-    HOST_DEVICE void operator()(int i) const { to[i] = from[order[i]]; }
-};
-
-template<class T>
-void gather(Buffer<T>& field, Buffer<T>& scratch, const Buffer<std::uint32_t>& order)
-{
-    scratch.resizeDiscarding(field.size());
-    forEach(order.size(), Gather<T>{order.span(), field.span(), scratch.span()});
+    gather(field, order, scratch);
     field.swap(scratch);
 }
 
@@ -51,9 +40,9 @@ void FieldRegistry::reorder(const Buffer<std::uint32_t>& order)
     for (const auto& entry : entries_)
     {
         if (!entry->info.sorted) continue;
-        if (auto* scalars = std::get_if<Buffer<float>>(&entry->values)) gather(*scalars, scalarScratch_, order);
-        if (auto* vectors = std::get_if<Buffer<Vec3>>(&entry->values)) gather(*vectors, vectorScratch_, order);
-        if (auto* labels = std::get_if<Buffer<std::uint32_t>>(&entry->values)) gather(*labels, labelScratch_, order);
+        if (auto* scalars = std::get_if<Buffer<float>>(&entry->values)) reorderBy(order, *scalars, scalarScratch_);
+        if (auto* vectors = std::get_if<Buffer<Vec3>>(&entry->values)) reorderBy(order, *vectors, vectorScratch_);
+        if (auto* labels = std::get_if<Buffer<std::uint32_t>>(&entry->values)) reorderBy(order, *labels, labelScratch_);
     }
 }
 

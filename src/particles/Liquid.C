@@ -1,31 +1,12 @@
 #include "particles/Liquid.H"
 
+#include "maths/Lattice.H"
 #include "particles/ParticleFiles.H"
 
 #include <cmath>
 
 namespace shizuku
 {
-
-namespace
-{
-
-float sumOverLattice(const KernelChoice& kernel, float spacing)
-{
-    const float h = supportOf(kernel);
-    const int n = int(h / spacing) + 1;
-    double sum = 0;
-    for (int i = -n; i <= n; ++i)
-        for (int j = -n; j <= n; ++j)
-            for (int k = -n; k <= n; ++k)
-            {
-                const float r = spacing * std::sqrt(float(i * i + j * j + k * k));
-                sum += std::visit([r](const auto& W) { return W.W(r); }, kernel);
-            }
-    return float(sum * spacing * spacing * spacing);
-}
-
-}
 
 LiquidProperties LiquidProperties::read(const Dictionary& solution, const Dictionary& liquidProperties)
 {
@@ -67,7 +48,10 @@ Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)
         kernelDict.lookupChoiceOr("type", kernelWords(), CubicSpline::word),
         spacing_ * float(kernelDict.lookupOr("support", 2.0))
     )),
-    latticeSum_(sumOverLattice(kernel_, spacing_))
+    latticeSum_(std::visit
+    (
+        [this](const auto& W) { return shizuku::latticeSum(spacing_, W.h, [&](float r) { return W.W(r); }); }, kernel_
+    ))
 {
     if (!(supportOf(kernel_) > spacing_))
     {

@@ -1,6 +1,7 @@
 #include "models/pressure/pbf/Pbf.H"
 
 #include "device/Reduce.H"
+#include "maths/Lattice.H"
 #include "models/density/Density.H"
 
 namespace shizuku
@@ -14,19 +15,15 @@ const PressureTable::Add<Pbf> registered{"pbf"};
 // Sum of |V grad W|^2 over the cubic lattice: the scale of epsilon.
 float bulkSum(const Liquid& liquid)
 {
-    const float d = liquid.spacing(), h = liquid.support(), V = liquid.particleVolume();
-    const int n = int(h / d) + 1;
-    float sum = 0;
-    for (int i = -n; i <= n; ++i)
-        for (int j = -n; j <= n; ++j)
-            for (int k = -n; k <= n; ++k)
-            {
-                if (i == 0 && j == 0 && k == 0) continue;
-                const float r = d * std::sqrt(float(i * i + j * j + k * k));
-                const float gradient = std::visit([r](const auto& W) { return W.g(r) * r; }, liquid.kernel());
-                sum += V * V * gradient * gradient;
-            }
-    return sum;
+    return std::visit
+    (
+        [&](const auto& W)
+        {
+            const auto square = [&](float r) { return W.g(r) * r * W.g(r) * r; };
+            return liquid.particleVolume() * latticeSum(liquid.spacing(), W.h, square);
+        },
+        liquid.kernel()
+    );
 }
 
 template<class Kernel>
