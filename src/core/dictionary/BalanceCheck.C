@@ -8,6 +8,8 @@ namespace shizuku
 namespace
 {
 
+constexpr std::size_t deepest = 200;    // brackets within brackets; the parser's own stack bears several times that
+
 char partnerOf(char opening)
 {
     return opening == '(' ? ')' : opening == '[' ? ']' : '}';
@@ -74,6 +76,10 @@ void checkBalance(const SourceText& source)
             );
         }
         if (c == '(' || c == '[' || c == '{') open.push_back(i);
+        if (open.size() > deepest)
+        {
+            throw FatalInputError(source.at(i), "Brackets are nested too deep", "at most " + std::to_string(deepest) + " levels");
+        }
         if (c == ')' || c == ']' || c == '}')
         {
             if (open.empty())

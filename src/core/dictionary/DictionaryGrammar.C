@@ -180,16 +180,9 @@ const auto setBody = [](auto& context)
     NodeData& data = _val(context).data();
     Tree& body = _attr(context);
     data.kind = NodeKind::dictionary;
-    data.value = body.data().value;
+    data.value = {body.data().span.begin + 1, body.data().span.end - 1};
     _val(context).swap(body);
     std::swap(_val(context).data(), body.data());
-};
-
-const auto setBodySpan = [](auto& context)
-{
-    NodeData& data = _val(context).data();
-    data.kind = NodeKind::dictionary;
-    data.value = {offsetOf(_attr(context).begin(), context), offsetOf(_attr(context).end(), context)};
 };
 
 // ---- Tokens
@@ -255,7 +248,7 @@ const auto keyword = word[setKeyword] | string[setKeyword] | macro[setKeyword];
 const auto statements = *(entry[addStatement] | directive[addStatement] | macroStatement[addStatement] | ';');
 const auto macroStatement_def = macro[passOn] >> (lit(';') | &lit('}') | x3::eoi);
 const auto entry_def = located(!(number | macroStatement) >> keyword >> (body[setBody] | (x3::eps > *item[addValueItem] > ';')));
-const auto body_def = located('{' >> raw[x3::eps > statements][setBodySpan] > '}');
+const auto body_def = located('{' > statements > '}');
 const auto document_def = located(x3::eps > statements > x3::eoi);
 const x3::rule<struct ItemsTag, Tree> items = "value";
 struct ItemsTag : ListTag {};
