@@ -172,6 +172,7 @@ private:
             char* end = nullptr;
             result = std::strtod(text.c_str(), &end);
             if (in_ && *end != '\0') fail("'" + text + "' in element " + position_, "a number");
+            if (type == Scalar::float32) result = float(result);    // as it was before it became text
         }
         else switch (type)
         {

@@ -1,0 +1,109 @@
+#include "DropCase.H"
+
+using namespace shizuku;
+using namespace shizuku::test;
+namespace fs = std::filesystem;
+
+TEST_F(DropCase, ProbeAngleMeasuresEveryTime)
+{
+    writeTime("0", {drop(90)});
+    writeTime("0.01", {drop(70)});
+    writeTime("0.02", {drop(60)});
+    const Outcome outcome = call("probeAngle");
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"prescribed angle    60.00 deg", "measured angle      60.", "volume drift"}));
+
+    const auto rows = table("postProcessing/probeAngle/0/angle.csv");
+    ASSERT_EQ(rows.size(), 3u);
+    const std::vector<double> angles{90, 70, 60};
+    for (int i = 0; i < 3; ++i)
+    {
+        EXPECT_NEAR(number(rows[i].at("time")), 0.01*i, 1e-12);
+        EXPECT_EQ(rows[i].at("state"), "attached");
+        EXPECT_NEAR(number(rows[i].at("angle")), angles[i], 0.5);           // what is asked of exact caps
+        EXPECT_EQ(number(rows[i].at("prescribed")), 60);                    // the half of the floor below the drop
+        // A lattice cut by a sphere of ten spacings holds its volume to a few per cent of its outer layer.
+        EXPECT_NEAR(number(rows[i].at("particles")), 1000, 20);
+        EXPECT_NEAR(number(rows[i].at("volumeDrift")), 100*(1000/number(rows[i].at("particles")) - 1), 1);
+        // The exact meshes' volumes differ by what the grid cuts off at the rim.
+        EXPECT_NEAR(number(rows[i].at("volumeDriftSinceFirst")), 0, 1);
+        EXPECT_NEAR(number(rows[i].at("centroidX")), -1e-3, 0.1*spacing);
+    }
+}
+
+TEST_F(DropCase, ProbeAngleKeepsTwoDropsApart)
+{
+    // The larger one changes: drops keep their numbers by place, not by size.
+    writeTime("0", {drop(60, 600, -2e-3), drop(100, 400, 2e-3)});
+    writeTime("0.01", {drop(60, 400, -2e-3), drop(100, 600, 2e-3)});
+    ASSERT_EQ(call("probeAngle").status, 0);
+    const auto rows = table("postProcessing/probeAngle/0/angle.csv");
+    ASSERT_EQ(rows.size(), 4u);
+    for (const auto& row : rows)
+    {
+        const bool left = number(row.at("drop")) == 1;
+        EXPECT_EQ(number(row.at("centroidX")) < 0, left);
+        EXPECT_NEAR(number(row.at("angle")), left ? 60 : 100, 1);           // of some hundred particles
+        EXPECT_EQ(number(row.at("prescribed")), left ? 60 : 100);
+    }
+    EXPECT_NEAR(number(rows[2].at("volumeDriftSinceFirst")), 100*(400.0/600 - 1), 2);
+    EXPECT_NEAR(number(rows[3].at("volumeDriftSinceFirst")), 100*(600.0/400 - 1), 2);
+}
+
+TEST_F(DropCase, ProbeAngleReportsADropThatLeftTheWall)
+{
+    writeTime("0", {{floorPlane, {0, 0, 1.2e-3}, 0.9e-3}});
+    const Outcome outcome = call("probeAngle");
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"detached", "off the wall"}));
+    EXPECT_EQ(table("postProcessing/probeAngle/0/angle.csv").at(0).at("angle"), "nan");
+}
+
+TEST_F(DropCase, ProbeAngleTakesAnalyticPlanesAndSelectedTimes)
+{
+    fs::remove_all(path()/"constant/solid");
+    write("constant/walls", "floor { type plane; point (0 0 0); normal (0 0 1); }\ntop { type plane; point (0 0 1); normal (0 0 -1); }\n");
+    write("constant/wettability", "floor { theta 75; }\n");
+    write("system/probeAngleDict", "wall floor;\nfitAbove 1.5;\n");
+    writeTime("0", {drop(90)});
+    writeTime("0.01", {drop(75)});
+    const Outcome outcome = call("probeAngle", "-latestTime");
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const auto rows = table("postProcessing/probeAngle/0.01/angle.csv");
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_EQ(number(rows[0].at("prescribed")), 75);
+    EXPECT_NEAR(number(rows[0].at("angle")), 75, 0.5);
+}
+
+TEST_F(DropCase, ProbeAngleRefusesBadInput)
+{
+    writeTime("0", {drop(60)}, false);
+    const auto expectError = [&](const std::vector<std::string>& parts)
+    {
+        const Outcome outcome = call("probeAngle");
+        EXPECT_NE(outcome.status, 0);
+        EXPECT_TRUE(holds(outcome.text, parts));
+        EXPECT_FALSE(fs::exists(path()/"postProcessing"));
+    };
+    expectError({"surface mesh", "meshSurface"});
+
+    writeTime("0", {drop(60)});
+    write("system/probeAngleDict", "wall flor;\n");
+    expectError({"probeAngleDict", "flor", "floor"});
+    write("system/probeAngleDict", "wall floor;\nfitAbov 1;\n");
+    expectError({"probeAngleDict", "fitAbov", "fitAbove"});
+    write("system/probeAngleDict", "wall floor;\nfitAbove -1;\n");
+    expectError({"fitAbove", "-1"});
+    write("system/probeAngleDict", "wall ball;\n");
+    write("constant/walls", "ball { type sphere; centre (0 0 0); radius 1e-3; liquid outside; }\n");
+    expectError({"ball", "no plane"});
+    write("constant/walls", "floor { type particles; }\n");
+    write("system/probeAngleDict", "wall floor;\n");
+
+    TriangleMesh open = capMesh(drop(60), 0.5*spacing);
+    open.faces.pop_back();
+    writePly(path()/"0/surface/liquid.ply", open);
+    expectError({"liquid.ply", "open"});
+    write("0/surface/liquid.ply", "solid\n");
+    expectError({"liquid.ply", "'ply'"});
+}

@@ -1,0 +1,160 @@
+#include "DropCase.H"
+
+#include <boost/property_tree/json_parser.hpp>
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+#include <vtkPointData.h>
+
+#include <cmath>
+
+using namespace shizuku;
+using namespace shizuku::test;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+struct Picture
+{
+    int width = 0, height = 0;
+    double variation = 0;           // standard deviation of all channels' levels (0 to 255)
+    double middle[3] = {0, 0, 0};   // colour in the middle
+
+    explicit Picture(const fs::path& file)
+    {
+        vtkNew<vtkPNGReader> reader;
+        reader->SetFileName(file.c_str());
+        reader->Update();
+        vtkImageData& image = *reader->GetOutput();
+        width = image.GetDimensions()[0];
+        height = image.GetDimensions()[1];
+        vtkDataArray& pixels = *image.GetPointData()->GetScalars();
+        double sum = 0, squares = 0;
+        for (vtkIdType i = 0; i < pixels.GetNumberOfTuples(); ++i)
+        {
+            for (int c = 0; c < 3; ++c)
+            {
+                sum += pixels.GetComponent(i, c);
+                squares += pixels.GetComponent(i, c)*pixels.GetComponent(i, c);
+            }
+        }
+        const double n = 3.0*pixels.GetNumberOfTuples();
+        variation = std::sqrt(squares/n - sum/n*sum/n);
+        for (int c = 0; c < 3; ++c) middle[c] = image.GetScalarComponentAsDouble(width/2, height/2, 0, c);
+    }
+};
+
+}
+
+TEST_F(DropCase, ShizukuToVtkWritesAnimations)
+{
+    writeTime("0", {drop(90)}, false);
+    writeTime("0.01", {drop(70)});
+    writeTime("0.02", {drop(60)});
+    const Outcome outcome = call("shizukuToVTK");
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const std::map<std::string, std::vector<std::string>> expected
+    {
+        {"liquid", {"liquid/liquid_0.vtp", "liquid/liquid_1.vtp", "liquid/liquid_2.vtp"}},
+        {"surface", {"surface/surface_1.vtp", "surface/surface_2.vtp"}},
+        {"solid", {"solid/solid_0.vtp", "solid/solid_0.vtp", "solid/solid_0.vtp"}}
+    };
+    for (const auto& [name, files] : expected)
+    {
+        boost::property_tree::ptree json;
+        boost::property_tree::read_json((path()/("VTK/" + name + ".vtp.series")).string(), json);
+        std::vector<std::string> found;
+        for (const auto& [key, entry] : json.get_child("files"))
+        {
+            found.push_back(entry.get<std::string>("name"));
+            EXPECT_TRUE(fs::exists(path()/"VTK"/found.back()));
+        }
+        EXPECT_EQ(found, files);
+        EXPECT_TRUE(fs::exists(path()/("VTK/" + name + ".pvd")));
+    }
+    EXPECT_TRUE(holds(read("VTK/liquid/liquid_2.vtp"), {"\"U\"", "\"TimeValue\"", "\"particleSpacing\""}));
+    EXPECT_TRUE(holds(read("VTK/solid/solid_0.vtp"), {"\"theta\"", "\"patch\"", "\"normals\""}));
+}
+
+TEST_F(DropCase, ShizukuToVtkTakesFieldsTimesAndFormats)
+{
+    writeTime("0", {drop(90)}, false);
+    writeTime("0.01", {drop(70)}, false);
+    const std::size_t particles = readField(path()/"0.01/liquid/U").elements();
+    const FieldData id{"id", FieldType::label, dimensions::none, false, std::vector<double>(particles, 3)};
+    writeField(path()/"0.01/liquid/id", id, {});
+
+    ASSERT_EQ(call("shizukuToVTK", "-latestTime -fields '(id)' -format ascii").status, 0);
+    EXPECT_FALSE(fs::exists(path()/"VTK/liquid/liquid_0.vtp"));
+    const std::string text = read("VTK/liquid/liquid_1.vtp");       // the same number with all times and without
+    EXPECT_TRUE(holds(text, {"\"id\"", "format=\"ascii\""}));
+    EXPECT_EQ(text.find("\"U\""), std::string::npos);
+
+    const Outcome unknown = call("shizukuToVTK", "-fields '(vorticity)'");
+    EXPECT_NE(unknown.status, 0);
+    EXPECT_TRUE(holds(unknown.text, {"vorticity", "U", "id"}));
+    EXPECT_NE(call("shizukuToVTK", "-format xml").status, 0);
+
+    write("0.01/liquid/U", "nonsense");
+    EXPECT_NE(call("shizukuToVTK").status, 0);
+}
+
+TEST_F(DropCase, RenderCaseShowsTheSurfaceAsWater)
+{
+    writeTime("0", {drop(90)});
+    writeTime("0.01", {drop(100)});
+    ASSERT_EQ(call("probeAngle").status, 0);
+    for (const std::string view : {"side", "perspective"})
+    {
+        const fs::path file = path()/(view + ".png");
+        const Outcome outcome = call("renderCase", "-size 320x200 -view " + view + " -output " + file.string());
+        ASSERT_EQ(outcome.status, 0) << outcome.text;
+        EXPECT_TRUE(holds(outcome.text, {"Time = 0.01", file.string()}));
+        const Picture picture(file);
+        EXPECT_EQ(picture.width, 320);
+        EXPECT_EQ(picture.height, 200);
+        // A blank picture varies by nothing, its background alone by some ten levels.
+        EXPECT_GT(picture.variation, 20) << view;
+        // Water stands in the middle: more blue than red. The background and the floor differ by less than 40.
+        EXPECT_GT(picture.middle[2] - picture.middle[0], 60) << view;
+    }
+}
+
+TEST_F(DropCase, RenderCaseShowsParticlesWhereThereIsNoSurface)
+{
+    writeTime("0", {drop(90)}, false);
+    const Outcome outcome = call("renderCase", "-size 320x200");
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const Picture picture(path()/"case.png");       // named after the case
+    EXPECT_GT(picture.variation, 20);
+    EXPECT_GT(picture.middle[2] - picture.middle[0], 60);
+}
+
+TEST_F(DropCase, RenderCaseNeedsNoDisplay)
+{
+    writeTime("0", {drop(90)});
+    const Outcome outcome = run("env -u DISPLAY " + program("renderCase") + " -size 64x64 -case " + path().string());
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(fs::exists(path()/"case.png"));
+}
+
+TEST_F(DropCase, RenderCaseRefusesBadInput)
+{
+    Outcome outcome = call("renderCase");
+    EXPECT_NE(outcome.status, 0);
+    EXPECT_TRUE(holds(outcome.text, {"holds liquid"}));
+
+    writeTime("0", {drop(90)});
+    for (const std::string size : {"12", "0x100", "99999x10", "axb", "-5x10"})
+    {
+        outcome = call("renderCase", "-size " + size);
+        EXPECT_NE(outcome.status, 0) << size;
+        EXPECT_FALSE(fs::exists(path()/"case.png"));
+    }
+    EXPECT_NE(call("renderCase", "-view top").status, 0);
+    EXPECT_NE(call("renderCase", "-time 5").status, 0);
+    EXPECT_NE(call("renderCase", "-size 64x64 -output /proc/none/p.png").status, 0);
+}
