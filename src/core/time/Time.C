@@ -73,8 +73,8 @@ void warnOfPrecision(const Controls& controls, const Dictionary& dict)
 }
 
 Time::Time(const fs::path& casePath)
-    : case_(casePath), stamp_(controlStamp()), dict_(Dictionary::read(controlFile())), controls_(readControls(dict_)),
-      pace_("Time")
+    : case_(casePath), stamp_(controlStamp()), dict_(Dictionary::read(controlFile())),
+      controls_(readControls(Dictionary::read(controlFile()))), pace_("Time")
 {
     removePartialFolders(case_);
     const TimeFolder folder = findStart(case_, controls_, dict_);
@@ -202,7 +202,7 @@ bool Time::readIfModified()
         const Controls controls = readControls(dict);
         checkEnd(controls, dict, start_.value);
         warnOfPrecision(controls, dict);
-        dict_ = dict;
+        dict_ = Dictionary::read(controlFile());
         use(controls);
     }
     catch (const FatalInputError& error)

@@ -349,9 +349,15 @@ TEST(Time, KnowsTheKeywordsOfOpenFoam)
     const Case folder
     (
         tenSteps + "application pbfDroplet; writeCompression off; timeFormat general; adjustTimeStep yes; maxCo 0.4;\n"
-        "maxCapillaryCo 0.5; functions { volume { type volume; } } libs (\"libown.so\");"
+        "maxCapillaryCo 0.5; functions { volume { type volume;\n interval 1; } } libs (\"libown.so\");"
     );
     EXPECT_EQ(folder.error(), "no error");
+
+    // Who owns a sub-dictionary still finds what is mistyped in it.
+    const Time time(folder.path());
+    const Dictionary volume = time.controlDict().subDict("functions").subDict("volume");
+    EXPECT_EQ(volume.lookup<std::string>("type"), "volume");
+    EXPECT_TRUE(holds(messageOf([&] { volume.refuseUnused(); }), {"interval", "line 4"}));
     EXPECT_TRUE(holds(Case(tenSteps + "writeCompression on;").error(), {"writeCompression", "off", "line 2"}));
     EXPECT_TRUE(holds(Case(tenSteps + "maxDeltaT 1;").error(), {"maxDeltaT", "deltaT", "line 2"}));
 }
