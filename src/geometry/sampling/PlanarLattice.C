@@ -12,6 +12,7 @@ namespace
 constexpr double flatness = 1e-3;           // deviation from the plane, in spacings
 constexpr double flatCosine = 0.99996;      // of half a degree
 constexpr double smallestArea = 25;         // in squared spacings
+constexpr double margin = 0.45;             // of the first row, in spacings: no corner is left without a particle
 constexpr double smallestGap = 0.75;        // in spacings, to particles of other regions
 
 using Region = std::vector<int>;            // faces
@@ -113,7 +114,7 @@ bool inTriangle(const std::array<Vector3, 3>& corners, const Vector3& normal, co
     return true;
 }
 
-// Rows along u at half a spacing from the region's ends; odd rows are shifted by half a column.
+// Rows along u with a margin from the region's ends; odd rows are shifted by half a column.
 class Lattice
 {
 public:
@@ -121,8 +122,8 @@ public:
     :
         frame_(frame),
         du_(fit(frame.high[0] - frame.low[0], spacing)),
-        dv_(fit(frame.high[1] - frame.low[1] - spacing, spacing*std::sqrt(0.75))),
-        firstV_(frame.low[1] + 0.5*spacing)
+        dv_(fit(frame.high[1] - frame.low[1] - 2*margin*spacing, spacing*std::sqrt(0.75))),
+        firstV_(frame.low[1] + margin*spacing)
     {}
 
     template<class Visit>

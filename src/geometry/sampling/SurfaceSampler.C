@@ -11,10 +11,10 @@ namespace shizuku
 namespace
 {
     constexpr double smallestGap = 0.75;    // spacings
-    constexpr double seedHole = 0.8;
-    constexpr double hole = 0.85;           // spacings: a particle fits with room to spare
-    constexpr double cover = 0.9;           // spacings: a particle is put there, come what may
-    constexpr int rounds = 3;
+    constexpr double seedHole = 0.8;        // spacings: seeds as dense as discs at random can be
+    constexpr double hole = 0.88;           // spacings: a particle fits with room to spare
+    constexpr double cover = 0.92;          // spacings: a particle is put there, come what may
+    constexpr int rounds = 3;              // of relaxing, thinning out and filling
 }
 
 SampledSurface sampleSurface
