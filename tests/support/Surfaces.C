@@ -1,5 +1,6 @@
 #include "support/Surfaces.H"
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 

@@ -105,7 +105,10 @@ TEST(LiquidBodies, capHasItsVolumeItsAngleAndStandsOnThePlane)
         double lowest = 1e9;
         for (const Vector3& x : points) lowest = std::min(lowest, x.z);
         // A spherical drop touches in one point: its first layer may be too small for a particle.
-        if (angle < 180) EXPECT_DOUBLE_EQ(lowest, 1.5);
+        if (angle < 180)
+        {
+            EXPECT_DOUBLE_EQ(lowest, 1.5);
+        }
         EXPECT_NEAR(double(points.size()), 4000, 0.1*4*std::numbers::pi*H*H);
     }
 }
