@@ -14,6 +14,9 @@
 #include <vtkLight.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
+#include <vtkOpenGLRenderer.h>
+#include <vtkPBRLUTTexture.h>
+#include <vtkPBRPrefilterTexture.h>
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -31,6 +34,7 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 
@@ -70,10 +74,25 @@ struct Stage
     Vector3 direction(double x, double y, double z) const { return normalized(x*right + y*up + z*front); }
 };
 
-// A photographer's studio as the surroundings that water mirrors: bright above, darker at the horizon, two lit panels.
+// A lit panel of the studio, in degrees as seen from the drop; its light falls off softly at the rim.
+struct Panel
+{
+    double fromAzimuth, toAzimuth, fromElevation, toElevation, brightness;
+
+    double lightAt(double azimuth, double elevation) const
+    {
+        constexpr double rim = 6;
+        const double across = std::min(azimuth - fromAzimuth, toAzimuth - azimuth)/rim;
+        const double along = std::min(elevation - fromElevation, toElevation - elevation)/rim;
+        return brightness*std::clamp(across, 0.0, 1.0)*std::clamp(along, 0.0, 1.0);
+    }
+};
+
+// A photographer's studio as the surroundings that water mirrors: a pale floor, a wall that darkens upwards, two panels.
 vtkSmartPointer<vtkTexture> studioSurroundings()
 {
     constexpr int width = 256, height = 128;
+    constexpr std::array<Panel, 2> panels{{{40, 110, 28, 62, 6}, {300, 330, 20, 70, 3}}};
     vtkNew<vtkImageData> image;
     image->SetDimensions(width, height, 1);
     image->AllocateScalars(VTK_FLOAT, 3);
@@ -82,11 +101,8 @@ vtkSmartPointer<vtkTexture> studioSurroundings()
         for (int column = 0; column < width; ++column)
         {
             const double elevation = (double(row)/(height - 1) - 0.5)*180, azimuth = double(column)/width*360;
-            const double sky = std::clamp(0.5 + elevation/120, 0.0, 1.0);
-            double light = 0.35 + 0.55*sky;
-            const bool panel = elevation > 25 && elevation < 60
-              && ((azimuth > 40 && azimuth < 95) || (azimuth > 230 && azimuth < 260));
-            if (panel) light = 3.5;
+            double light = elevation < 0 ? 0.55 + 0.25*std::min(1.0, -elevation/60) : 0.75 - 0.5*std::min(1.0, elevation/70);
+            for (const Panel& panel : panels) light += panel.lightAt(azimuth, elevation);
             auto* pixel = static_cast<float*>(image->GetScalarPointer(column, row, 0));
             pixel[0] = float(light*0.96);
             pixel[1] = float(light*0.98);
@@ -99,6 +115,18 @@ vtkSmartPointer<vtkTexture> studioSurroundings()
     texture->MipmapOn();
     texture->InterpolateOn();
     return texture;
+}
+
+void addSurroundings(vtkOpenGLRenderer& renderer, const Stage& stage)
+{
+    renderer.UseImageBasedLightingOn();
+    renderer.SetEnvironmentTexture(studioSurroundings());
+    renderer.SetEnvironmentUp(stage.up.x, stage.up.y, stage.up.z);
+    renderer.SetEnvironmentRight(stage.right.x, stage.right.y, stage.right.z);
+    // Enough for soft panels; VTK's own choice takes seconds where no graphics hardware is.
+    renderer.GetEnvMapPrefiltered()->SetPrefilterMaxSamples(128);
+    renderer.GetEnvMapLookupTable()->SetLUTSize(256);
+    renderer.GetEnvMapLookupTable()->SetLUTSamples(128);
 }
 
 vtkSmartPointer<vtkActor> waterActor(const TriangleMesh& mesh)
@@ -120,13 +148,13 @@ vtkSmartPointer<vtkActor> waterActor(const TriangleMesh& mesh)
     actor->SetMapper(mapper);
     vtkProperty& look = *actor->GetProperty();
     look.SetInterpolationToPBR();
-    look.SetColor(0.10, 0.42, 0.70);
+    look.SetColor(0.02, 0.24, 0.52);
     look.SetMetallic(0.0);
     look.SetRoughness(0.12);
-    look.SetBaseIOR(1.6);
-    look.SetCoatStrength(1.0);
-    look.SetCoatRoughness(0.03);
-    look.SetCoatIOR(1.7);
+    look.SetBaseIOR(1.5);
+    look.SetCoatStrength(1.0);      // the coat mirrors the studio more strongly than water would: a brighter picture
+    look.SetCoatRoughness(0.02);
+    look.SetCoatIOR(2.2);
     return actor;
 }
 
@@ -218,7 +246,7 @@ void aimCamera(vtkRenderer& renderer, const Stage& stage, const PictureView& vie
 {
     const double elevation = (view.kind == PictureView::Kind::side ? 3 : 20)*std::numbers::pi/180;
     const double opening = 24;      // degrees, of the picture's height
-    const double room = 1.35;       // how much larger than the stage the picture's smaller side is
+    const double room = 1.15;       // how much larger than the stage the picture's smaller side is
     const double aspect = std::min(1.0, double(view.width)/view.height);
     const double distance = room*stage.radius/(std::tan(opening/2*std::numbers::pi/180)*aspect);
     const Vector3 position = stage.centre + distance*stage.direction(0, std::sin(elevation), std::cos(elevation));
@@ -257,12 +285,11 @@ void writePng(vtkRenderWindow& window, const std::filesystem::path& file)
     writer->SetInputConnection(shrink->GetOutputPort());
     writer->WriteToMemoryOn();
     writer->Write();
-    const vtkUnsignedCharArray* bytes = writer->GetResult();
-    if (!bytes) throw FatalError("VTK could not encode " + file.string());
+    if (!writer->GetResult()) throw FatalError("VTK could not encode " + file.string());
     writeAtomically(file, [&](std::ostream& out)
     {
-        auto* result = writer->GetResult();
-        out.write(reinterpret_cast<const char*>(result->GetPointer(0)), result->GetNumberOfValues());
+        vtkUnsignedCharArray& bytes = *writer->GetResult();
+        out.write(reinterpret_cast<const char*>(bytes.GetPointer(0)), bytes.GetNumberOfValues());
     });
 }
 
@@ -274,7 +301,7 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
     if (seen.empty()) throw FatalError("There is no liquid to be seen in " + file.string());
     const Stage stage(seen, scene.floor ? scene.floor->normal : Vector3(0, 0, 1));
 
-    vtkNew<vtkRenderer> renderer;
+    vtkNew<vtkOpenGLRenderer> renderer;
     renderer->GradientBackgroundOn();
     renderer->SetBackground(0.97, 0.975, 0.98);
     renderer->SetBackground2(0.76, 0.84, 0.91);
@@ -285,10 +312,7 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
 
     if (!scene.liquid.faces.empty())
     {
-        renderer->UseImageBasedLightingOn();
-        renderer->SetEnvironmentTexture(studioSurroundings());
-        renderer->SetEnvironmentUp(stage.up.x, stage.up.y, stage.up.z);
-        renderer->SetEnvironmentRight(stage.right.x, stage.right.y, stage.right.z);
+        addSurroundings(*renderer, stage);
         renderer->AddActor(waterActor(scene.liquid));
     }
     else addParticles(*renderer, scene);
