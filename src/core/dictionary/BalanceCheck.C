@@ -44,12 +44,14 @@ std::size_t skipQuoted(const SourceText& source, std::size_t at)
         if (text[i] == '"') return i + 1;
         if (text[i] == '\\') i += startsWith(text, i, "\\\r\n") ? 2 : 1;
     }
-    throw FatalInputError(source.at(at), "Unclosed string", "closed by \" on the same line (or \\ before the line's end)");
+    throw FatalInputError(source.at(at), "Unclosed string",
+        "closed by \" on the same line (or \\ before the line's end)");
 }
 
 bool isText(char c)
 {
-    return static_cast<unsigned char>(c) >= 0x20 ? c != 0x7f : c == '\n' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
+    if (static_cast<unsigned char>(c) >= 0x20) return c != 0x7f;
+    return c == '\n' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
 }
 
 }
@@ -78,7 +80,8 @@ void checkBalance(const SourceText& source)
         if (c == '(' || c == '[' || c == '{') open.push_back(i);
         if (open.size() > deepest)
         {
-            throw FatalInputError(source.at(i), "Brackets are nested too deep", "at most " + std::to_string(deepest) + " levels");
+            const std::string limit = "at most " + std::to_string(deepest) + " levels";
+            throw FatalInputError(source.at(i), "Brackets are nested too deep", limit);
         }
         if (c == ')' || c == ']' || c == '}')
         {
@@ -104,7 +107,8 @@ void checkBalance(const SourceText& source)
         const char opening = text[open.back()];
         throw FatalInputError
         (
-            source.at(open.back()), std::string("Unclosed '") + opening + "'", std::string("closed by '") + partnerOf(opening) + "'"
+            source.at(open.back()), std::string("Unclosed '") + opening + "'",
+            std::string("closed by '") + partnerOf(opening) + "'"
         );
     }
 }

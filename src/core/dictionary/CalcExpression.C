@@ -66,15 +66,16 @@ const std::map<std::string, Function>& functions()
     static const std::map<std::string, Function> table
     {
         {"abs", unary(std::fabs)}, {"mag", unary(std::fabs)}, {"sqrt", unary(std::sqrt)},
-        {"sinh", unary(std::sinh)}, {"cosh", unary(std::cosh)}, {"tanh", unary(std::tanh)}, {"log10", unary(std::log10)},
+        {"sinh", unary(std::sinh)}, {"cosh", unary(std::cosh)}, {"tanh", unary(std::tanh)},
+        {"log10", unary(std::log10)},
         {"sqr", unary([](double x) { return x*x; })}, {"exp", unary(std::exp)}, {"log", unary(std::log)},
         {"sin", unary(std::sin)}, {"cos", unary(std::cos)}, {"tan", unary(std::tan)},
         {"asin", unary(std::asin)}, {"acos", unary(std::acos)}, {"atan", unary(std::atan)},
         {"floor", unary(std::floor)}, {"ceil", unary(std::ceil)},
         {"degToRad", unary([](double x) { return x*std::numbers::pi/180; })},
         {"radToDeg", unary([](double x) { return x*180/std::numbers::pi; })},
-        {"atan2", binary(std::atan2)}, {"hypot", binary(std::hypot)}, {"pow", binary(std::pow)}, {"min", binary(std::fmin)},
-        {"max", binary(std::fmax)},
+        {"atan2", binary(std::atan2)}, {"hypot", binary(std::hypot)}, {"pow", binary(std::pow)},
+        {"min", binary(std::fmin)}, {"max", binary(std::fmax)},
         {"pi", {0, [](const std::vector<double>&) { return std::numbers::pi; }}}
     };
     return table;
@@ -139,7 +140,10 @@ auto applied(Operation operation)
 template<class Operation>
 auto values(Operation operation)
 {
-    return combine([operation](const Term& a, const Term& b, const Evaluation&) { return double(operation(a(), b())); });
+    return combine([operation](const Term& a, const Term& b, const Evaluation&)
+    {
+        return double(operation(a(), b()));
+    });
 }
 
 template<class Operation>
@@ -215,7 +219,8 @@ const auto order_def = sum[pass]
 const auto sum_def = product[pass]
     >> *(('+' > product[values(std::plus<>())]) | ('-' > product[values(std::minus<>())]));
 const auto product_def = sign[pass]
-    >> *(('*' > sign[values(std::multiplies<>())]) | ('/' > sign[division(std::divides<>())]) | ('%' > sign[remainder]));
+    >> *(('*' > sign[values(std::multiplies<>())]) | ('/' > sign[division(std::divides<>())])
+        | ('%' > sign[remainder]));
 const auto sign_def = ('-' > sign[applied(std::negate<>())]) | ('+' > sign[pass])
     | ('!' > sign[applied(std::logical_not<>())]) | power[pass];
 const auto power_def = primary[pass] >> -('^' > sign[raise]);
@@ -227,7 +232,8 @@ const auto name_def = x3::lexeme[x3::raw[x3::alpha >> *(x3::alnum | '_')][addNam
 const auto macro_def = x3::lexeme['$' > ('{' >> x3::raw[+(x3::char_ - '}')][addName] >> '}'
     | x3::raw[+(x3::alnum | x3::char_("_.:"))][addName])];
 
-BOOST_SPIRIT_DEFINE(choice, either, both, equality, order, sum, product, sign, power, primary, arguments, name, macro, branches)
+BOOST_SPIRIT_DEFINE(choice, either, both, equality, order, sum, product, sign, power, primary, arguments, name,
+    macro, branches)
 
 }
 

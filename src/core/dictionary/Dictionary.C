@@ -2,9 +2,6 @@
 #include "core/dictionary/DictionaryExpansion.H"
 #include "core/dictionary/DictionaryNode.H"
 
-#include <fstream>
-#include <sstream>
-
 namespace shizuku
 {
 

@@ -10,7 +10,8 @@ namespace shizuku
 namespace
 {
 
-constexpr std::size_t valueColumn = 16;    // where values start, counted from the keyword, without a neighbour to follow
+// Where values start, counted from the keyword, without a neighbour to follow.
+constexpr std::size_t valueColumn = 16;
 
 std::string trimmed(const std::string& text)
 {
@@ -28,7 +29,8 @@ bool isBlank(const std::string& text)
 std::string entryText(const std::string& keyword, const std::string& value, std::size_t column = valueColumn)
 {
     const std::string gap(keyword.size() < column ? column - keyword.size() : 1, ' ');
-    const std::string text = value.starts_with('{') ? keyword + " " + value : value.empty() ? keyword + ";" : keyword + gap + value + ";";
+    const std::string text = value.starts_with('{') ? keyword + " " + value
+                           : value.empty() ? keyword + ";" : keyword + gap + value + ";";
     const Tree parsed = parseSyntax(SourceText(text, "new entry"));
     const bool single = parsed.size() == 1 && parsed.front().second.data().span.end == text.size()
         && parsed.front().second.data().kind == (value.starts_with('{') ? NodeKind::dictionary : NodeKind::entry);
@@ -85,7 +87,8 @@ void DictionaryEditor::add(const std::string& path, const std::string& value)
 {
     if (const auto there = findEntries(syntax_, path); !there.empty())
     {
-        throw FatalInputError(there.back()->data().where, "Entry '" + path + "' is there already", "a new keyword, or -set");
+        throw FatalInputError(there.back()->data().where, "Entry '" + path + "' is there already",
+            "a new keyword, or -set");
     }
     const SplitPath split = splitPath(path);
     const Tree* dictionary = &syntax_;
@@ -96,7 +99,8 @@ void DictionaryEditor::add(const std::string& path, const std::string& value)
         dictionary = found.back();
         if (dictionary->data().kind != NodeKind::dictionary)
         {
-            throw FatalInputError(dictionary->data().where, "Entry '" + split.dictionary + "' is no dictionary", "the path of a dictionary");
+            throw FatalInputError(dictionary->data().where, "Entry '" + split.dictionary + "' is no dictionary",
+                "the path of a dictionary");
         }
     }
     insert(*dictionary, entryText(split.keyword, trimmed(value), columnOfValues(*dictionary)));
@@ -175,7 +179,8 @@ void DictionaryEditor::failMissing(const std::string& path) const
 {
     const SplitPath split = splitPath(path);
     Tree syntax = syntax_;
-    const std::vector<Tree*> around = split.dictionary.empty() ? std::vector<Tree*>{&syntax} : findEntries(syntax, split.dictionary);
+    const std::vector<Tree*> around =
+        split.dictionary.empty() ? std::vector<Tree*>{&syntax} : findEntries(syntax, split.dictionary);
     std::vector<std::string> keywords;
     for (const Tree* dictionary : around)
     {
@@ -185,7 +190,8 @@ void DictionaryEditor::failMissing(const std::string& path) const
         }
     }
     const SourceLocation where = around.empty() ? SourceLocation{name_, 0} : around.back()->data().where;
-    throw FatalInputError(where, "Entry '" + path + "' is not written in " + name_, "an entry that is there", keywords, split.keyword);
+    throw FatalInputError(where, "Entry '" + path + "' is not written in " + name_, "an entry that is there",
+        keywords, split.keyword);
 }
 
 }

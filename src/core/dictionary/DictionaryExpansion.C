@@ -12,7 +12,8 @@ std::string readText(const std::filesystem::path& file)
     std::ifstream stream(file, std::ios::binary);
     if (!stream || std::filesystem::is_directory(file))
     {
-        throw FatalInputError({file.string(), 0}, "Cannot open file " + file.string(), "a dictionary file that can be read");
+        throw FatalInputError({file.string(), 0}, "Cannot open file " + file.string(),
+            "a dictionary file that can be read");
     }
     std::ostringstream text;
     text << stream.rdbuf();

@@ -3,6 +3,9 @@
 
 #include <boost/spirit/home/x3.hpp>
 
+#include <algorithm>
+#include <cctype>
+
 namespace shizuku
 {
 
@@ -41,7 +44,8 @@ std::string shown(const Iterator& position, const Context& context)
 {
     const std::string& text = sourceOf(context).text();
     if (position == text.end()) return "the end of the file";
-    return std::string("'") + *position + "' at line " + std::to_string(sourceOf(context).line(offsetOf(position, context)));
+    return std::string("'") + *position + "' at line "
+        + std::to_string(sourceOf(context).line(offsetOf(position, context)));
 }
 
 struct StatementsTag
@@ -211,7 +215,8 @@ const x3::rule<class NestedTag> nested = "{..}";
 
 const auto number_def = located(lexeme[raw[numberText][token<NodeKind::number>]]);
 const auto word_def = located(lexeme[!char_("#$") >> raw[wordText][token<NodeKind::word>]]);
-const auto string_def = located(lexeme['"' >> raw[*('\\' >> -lit('\r') >> char_ | (char_ - char_("\"\\\n")))][unescaped] >> '"']);
+const auto string_def =
+    located(lexeme['"' >> raw[*('\\' >> -lit('\r') >> char_ | (char_ - char_("\"\\\n")))][unescaped] >> '"']);
 const auto verbatim_def = located(lexeme["#{" >> raw[*(char_ - "#}")][token<NodeKind::verbatim>] >> "#}"]);
 const auto dimensions_def = located(lexeme['[' >> raw[*(char_ - ']')][token<NodeKind::dimensions>] >> ']']);
 const auto macro_def = located(lexeme['$' >>
@@ -232,7 +237,8 @@ const auto list_def = located(x3::eps[mark<NodeKind::list>]
     >> -lexeme[raw[x3::uint_ >> &lit('(')][setText]] >> '(' > *(item[addItem] | body[addItem]) > ')');
 const auto uniformList_def = located(x3::eps[mark<NodeKind::uniformList>]
     >> lexeme[raw[x3::uint_ >> &lit('{')][setText]] >> '{' > *item[addItem] > '}');
-const auto directive_def = located(lexeme['#' >> raw[+x3::alnum][token<NodeKind::directive>]] >> -(code[addItem] | item[addItem]));
+const auto directive_def =
+    located(lexeme['#' >> raw[+x3::alnum][token<NodeKind::directive>]] >> -(code[addItem] | item[addItem]));
 struct ItemTag {};
 const auto passOn = [](auto& context) { _val(context) = std::move(_attr(context)); };
 const auto item_def = list[passOn] | uniformList[passOn] | number[passOn] | string[passOn] | verbatim[passOn]
@@ -247,7 +253,8 @@ const x3::rule<class MacroStatementTag, Tree> macroStatement = "$macro;";      /
 const auto keyword = word[setKeyword] | string[setKeyword] | macro[setKeyword];
 const auto statements = *(entry[addStatement] | directive[addStatement] | macroStatement[addStatement] | ';');
 const auto macroStatement_def = macro[passOn] >> (lit(';') | &lit('}') | x3::eoi);
-const auto entry_def = located(!(number | macroStatement) >> keyword >> (body[setBody] | (x3::eps > *item[addValueItem] > ';')));
+const auto entry_def = located(!(number | macroStatement) >> keyword
+    >> (body[setBody] | (x3::eps > *item[addValueItem] > ';')));
 const auto body_def = located('{' > statements > '}');
 const auto document_def = located(x3::eps > statements > x3::eoi);
 const x3::rule<struct ItemsTag, Tree> items = "value";

@@ -2,6 +2,7 @@
 
 #include <boost/spirit/home/x3.hpp>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -61,7 +62,8 @@ std::optional<Dimensions> fromUnits(const std::string& text)
     auto first = text.begin();
     const bool matched = x3::phrase_parse
     (
-        first, text.end(), (factor | one) >> *(x3::lit('/')[divide] >> factor | -x3::lit('*') >> factor) >> x3::eoi, x3::space
+        first, text.end(), (factor | one) >> *(x3::lit('/')[divide] >> factor | -x3::lit('*') >> factor) >> x3::eoi,
+        x3::space
     );
     if (!matched || !known) return {};
     return result;

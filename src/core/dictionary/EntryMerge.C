@@ -9,7 +9,8 @@ namespace
 std::string duplicateOf(const Tree& first)
 {
     const SourceLocation& where = first.data().where;
-    return "Entry '" + first.data().text + "' is there already, at line " + std::to_string(where.line) + " of " + where.file;
+    return "Entry '" + first.data().text + "' is there already, at line " + std::to_string(where.line)
+        + " of " + where.file;
 }
 
 void replace(Tree& old, const Tree& entry, InputMode mode)

@@ -36,7 +36,8 @@ void collect(Tree& dictionary, const std::string& path, const char* separators, 
     {
         if (!key.empty() && key == keyword) found.push_back(&entry);
     }
-    for (std::size_t at = nextSeparator(path, 0, separators); at != std::string::npos; at = nextSeparator(path, at + 1, separators))
+    std::size_t at = nextSeparator(path, 0, separators);
+    for (; at != std::string::npos; at = nextSeparator(path, at + 1, separators))
     {
         const std::string outer = withoutQuotes(path.substr(0, at));
         for (auto& [key, entry] : dictionary)
@@ -60,7 +61,8 @@ SplitPath splitPath(const std::string& path)
 {
     const char* separators = separatorsOf(path);
     std::size_t last = std::string::npos;
-    for (std::size_t at = nextSeparator(path, 0, separators); at != std::string::npos; at = nextSeparator(path, at + 1, separators))
+    std::size_t at = nextSeparator(path, 0, separators);
+    for (; at != std::string::npos; at = nextSeparator(path, at + 1, separators))
     {
         last = at;
     }

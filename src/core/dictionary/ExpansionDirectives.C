@@ -19,7 +19,8 @@ const Tree& argumentOf(const Tree& directive)
 {
     if (directive.empty())
     {
-        throw FatalInputError(directive.data().where, "#" + directive.data().text + " stands alone", "something behind it");
+        throw FatalInputError(directive.data().where, "#" + directive.data().text + " stands alone",
+            "something behind it");
     }
     return directive.front().second;
 }
@@ -29,15 +30,18 @@ const std::string& textArgumentOf(const Tree& directive, const std::string& expe
     const NodeData& data = argumentOf(directive).data();
     if (data.kind != NodeKind::string && data.kind != NodeKind::word && data.kind != NodeKind::verbatim)
     {
-        throw FatalInputError(data.where, "#" + directive.data().text + " is followed by " + describe(argumentOf(directive)), expected);
+        throw FatalInputError(data.where, "#" + directive.data().text + " is followed by "
+            + describe(argumentOf(directive)), expected);
     }
     return data.text;
 }
 
-[[noreturn]] void failDirective(const Tree& directive, const std::string& place, const std::vector<std::string>& choices)
+[[noreturn]] void failDirective(const Tree& directive, const std::string& place,
+    const std::vector<std::string>& choices)
 {
     const NodeData& data = directive.data();
-    throw FatalInputError(data.where, "#" + data.text + " is unknown " + place, "one of the directives below", choices, data.text);
+    throw FatalInputError(data.where, "#" + data.text + " is unknown " + place, "one of the directives below",
+        choices, data.text);
 }
 
 }
@@ -60,7 +64,8 @@ void Expansion::addDirective(const Tree& directive)
     const auto action = actions.find(directive.data().text);
     if (action == actions.end())
     {
-        failDirective(directive, "as a statement", {"include", "includeEtc", "includeIfPresent", "inputMode", "remove"});
+        failDirective(directive, "as a statement",
+            {"include", "includeEtc", "includeIfPresent", "inputMode", "remove"});
     }
     action->second(*this, directive);
 }
@@ -78,7 +83,8 @@ void Expansion::setInputMode(const Tree& directive)
     {
         std::vector<std::string> words;
         for (const auto& [name, mode] : modes) words.push_back(name);
-        throw FatalInputError(directive.data().where, "Unknown input mode '" + word + "'", "one of the modes below", words, word);
+        throw FatalInputError(directive.data().where, "Unknown input mode '" + word + "'", "one of the modes below",
+            words, word);
     }
     mode_ = found->second;
 }
@@ -93,12 +99,14 @@ void Expansion::remove(const Tree& selection)
     }
     if (data.kind != NodeKind::word && data.kind != NodeKind::string)
     {
-        throw FatalInputError(data.where, "#remove is followed by " + describe(selection), "a keyword, a \"pattern\", or a list of them");
+        throw FatalInputError(data.where, "#remove is followed by " + describe(selection),
+            "a keyword, a \"pattern\", or a list of them");
     }
     Tree& dictionary = scope_.current();
     for (auto entry = dictionary.begin(); entry != dictionary.end();)
     {
-        const bool matches = entry->first == data.text || (data.kind == NodeKind::string && patternMatches(data, entry->first));
+        const bool matches = entry->first == data.text
+            || (data.kind == NodeKind::string && patternMatches(data, entry->first));
         entry = matches ? dictionary.erase(entry) : std::next(entry);
     }
 }
@@ -112,7 +120,8 @@ void Expansion::include(const Tree& directive, const std::function<void(const So
     std::optional<fs::path> file = directiveName == "includeEtc" ? findEtcFile(name) : includePath(name, files_.back());
     if (!file)
     {
-        throw FatalInputError(where, "#includeEtc \"" + name + "\": there is no such file", "a file below $SHIZUKU_DIR/etc or ~/.shizuku");
+        throw FatalInputError(where, "#includeEtc \"" + name + "\": there is no such file",
+            "a file below $SHIZUKU_DIR/etc or ~/.shizuku");
     }
     if (!fs::is_regular_file(*file))
     {
@@ -128,7 +137,8 @@ void Expansion::include(const Tree& directive, const std::function<void(const So
         std::error_code error;
         if (fs::equivalent(open, *file, error))
         {
-            throw FatalInputError(where, "Circular include of " + file->string(), "a file that does not include itself in the end");
+            throw FatalInputError(where, "Circular include of " + file->string(),
+                "a file that does not include itself in the end");
         }
     }
     take(SourceText(readText(*file), file->string()));

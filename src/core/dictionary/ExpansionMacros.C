@@ -32,14 +32,16 @@ Tree Expansion::resolve(const std::string& name, const SourceLocation& where) co
     if (fallback != std::string::npos) return parseItems(SourceText(name.substr(fallback + 2), where.file));
     throw FatalInputError
     (
-        where, "Undefined macro $" + key, "an entry that stands before, or a variable of the environment", scope_.visible(), key
+        where, "Undefined macro $" + key, "an entry that stands before, or a variable of the environment",
+        scope_.visible(), key
     );
 }
 
 double Expansion::number(const std::string& macro, const SourceLocation& where) const
 {
     const Tree entry = resolve(macro, where);
-    ValueReader reader(entry, "one number, for $" + macro + " at line " + std::to_string(where.line) + " of " + where.file);
+    const std::string place = "line " + std::to_string(where.line) + " of " + where.file;
+    ValueReader reader(entry, "one number, for $" + macro + " at " + place);
     reader.readDimensions();
     const double value = reader.read<double>();
     reader.finish();
@@ -56,7 +58,10 @@ std::string Expansion::withMacros(const std::string& text, const SourceLocation&
         const bool braced = i + 1 < text.size() && text[i + 1] == '{';
         const std::size_t begin = i + (braced ? 2 : 1);
         std::size_t end = begin;
-        const auto inName = [&](char c) { return braced ? c != '}' : std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == ':'; };
+        const auto inName = [&](unsigned char c)
+        {
+            return braced ? c != '}' : std::isalnum(c) || c == '_' || c == ':';
+        };
         while (end < text.size() && inName(text[end])) ++end;
         const std::string name = text.substr(begin, end - begin);
         if (name == "FOAM_CASE" && !std::getenv("FOAM_CASE")) result += caseFolder(files_.back()).string();
@@ -88,7 +93,8 @@ void Expansion::addMacro(const Tree& macro)
     const Tree source = resolve(data.text, data.where);
     if (source.data().kind != NodeKind::dictionary)
     {
-        throw FatalInputError(data.where, "$" + data.text + " is no dictionary", "$dictionary; or keyword $" + data.text + ";");
+        throw FatalInputError(data.where, "$" + data.text + " is no dictionary", "$dictionary; or keyword $"
+            + data.text + ";");
     }
     for (const auto& [key, entry] : source) mergeEntry(scope_.current(), entry, mode_);
 }

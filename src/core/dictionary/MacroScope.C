@@ -1,5 +1,7 @@
 #include "core/dictionary/MacroScope.H"
 
+#include <algorithm>
+
 namespace shizuku
 {
 
@@ -17,7 +19,8 @@ Tree* findPath(Tree& dictionary, const std::string& path)
         entry->data().used = true;
         return entry;
     }
-    for (auto dot = path.find_first_of(separators); dot != std::string::npos; dot = path.find_first_of(separators, dot + 1))
+    std::size_t dot = path.find_first_of(separators);
+    for (; dot != std::string::npos; dot = path.find_first_of(separators, dot + 1))
     {
         Tree* outer = findEntry(dictionary, path.substr(0, dot));
         if (!outer || outer->data().kind != NodeKind::dictionary) continue;

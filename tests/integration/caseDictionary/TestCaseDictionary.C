@@ -27,7 +27,8 @@ protected:
     Result run(const std::string& arguments) const
     {
         const std::string build = std::getenv("SHIZUKU_BUILD");
-        const std::string command = build + "/bin/caseDictionary -case " + folder_.path().string() + " " + arguments + " 2>&1";
+        const std::string command = build + "/bin/caseDictionary -case " + folder_.path().string() + " " + arguments
+            + " 2>&1";
         FILE* pipe = popen(command.c_str(), "r");
         std::string output;
         char buffer[4096];
@@ -71,7 +72,8 @@ TEST_F(CaseDictionary, PrintsExpandedEntriesValuesKeywordsAndJson)
     EXPECT_EQ
     (
         run("constant/wettability -expand").output,
-        "base            60;\nfloor\n{\n    theta           60;\n    region\n    {\n        x               1;\n    }\n}\n"
+        "base            60;\nfloor\n{\n    theta           60;\n"
+        "    region\n    {\n        x               1;\n    }\n}\n"
     );
     EXPECT_EQ(file(), text_);
 }
@@ -116,7 +118,8 @@ TEST_F(CaseDictionary, RefusesAndLeavesTheFileAlone)
         EXPECT_TRUE(holds(result.output, parts)) << arguments;
         EXPECT_EQ(file(), text_) << arguments;
     };
-    refuses("constant/wettability -entry floor.teta -set 30", {"FATAL IO ERROR", "Did you mean 'theta'?", "at line 3."});
+    refuses("constant/wettability -entry floor.teta -set 30",
+        {"FATAL IO ERROR", "Did you mean 'theta'?", "at line 3."});
     refuses("constant/wettability -entry floor.teta", {"Did you mean 'theta'?"});
     refuses("constant/wettability -entry floor.theta -add 30", {"is there already", "at line 5."});
     refuses("constant/wettability -entry floor.theta -set '30; x 1'", {"is not one entry"});

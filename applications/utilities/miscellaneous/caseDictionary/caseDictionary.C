@@ -9,6 +9,7 @@
 #include "core/dictionary/EntryPath.H"
 #include "core/fieldFile/AtomicFile.H"
 
+#include <algorithm>
 #include <iostream>
 
 using namespace shizuku;
@@ -33,7 +34,10 @@ void checkOptions(const Arguments& args)
         for (const std::string& option : *kind)
         {
             if (!args.found(option)) continue;
-            if (!first.empty()) throw FatalInputError({}, "-" + option + " and -" + first + " exclude each other", "one of them");
+            if (!first.empty())
+            {
+                throw FatalInputError({}, "-" + option + " and -" + first + " exclude each other", "one of them");
+            }
             first = option;
         }
     }
@@ -43,7 +47,8 @@ void checkOptions(const Arguments& args)
     }
     if (args.positional("dictionary").empty())
     {
-        throw FatalInputError({}, "No dictionary is given", "caseDictionary FILE, e.g. caseDictionary system/controlDict");
+        throw FatalInputError({}, "No dictionary is given",
+            "caseDictionary FILE, e.g. caseDictionary system/controlDict");
     }
 }
 
@@ -66,13 +71,15 @@ Tree& selected(const Arguments& args, Tree& dictionary, const std::string& name)
     if (!entries.empty()) return *entries.back();
 
     const SplitPath split = splitPath(path);
-    const std::vector<Tree*> around = split.dictionary.empty() ? std::vector<Tree*>{&dictionary} : findEntries(dictionary, split.dictionary);
+    const std::vector<Tree*> around =
+        split.dictionary.empty() ? std::vector<Tree*>{&dictionary} : findEntries(dictionary, split.dictionary);
     std::vector<std::string> keywords;
     if (!around.empty())
     {
         for (const auto& [key, entry] : *around.back()) keywords.push_back(key);
     }
-    throw FatalInputError({name, 0}, "There is no entry '" + path + "'", "an entry of the dictionary", keywords, split.keyword);
+    throw FatalInputError({name, 0}, "There is no entry '" + path + "'", "an entry of the dictionary", keywords,
+        split.keyword);
 }
 
 void print(const Arguments& args, const std::filesystem::path& file)
@@ -91,7 +98,10 @@ void print(const Arguments& args, const std::filesystem::path& file)
     else if (args.found("value")) writeValue(std::cout, node);
     else if (args.found("keywords"))
     {
-        if (!isDictionary) throw FatalInputError(node.data().where, "Entry '" + args.get("entry") + "' is no dictionary", "a dictionary");
+        if (!isDictionary)
+        {
+            throw FatalInputError(node.data().where, "Entry '" + args.get("entry") + "' is no dictionary", "one");
+        }
         for (const auto& [key, entry] : node) std::cout << key << '\n';
     }
     else if (&node == root.get()) writeEntries(std::cout, node);
@@ -108,7 +118,7 @@ int main(int argc, char** argv)
         "Prints or changes entries of a dictionary file. Without options: the file as it stands. "
         "Changes keep comments, order and layout.",
         {
-            {"entry", "PATH", "the entry, e.g. floor.theta or solvers/p; printed with macros and directives expanded", ""},
+            {"entry", "PATH", "the entry, e.g. floor.theta or solvers/p; printed expanded", ""},
             {"value", "", "print the value alone", ""},
             {"keywords", "", "print the keywords of the dictionary or of the entry", ""},
             {"json", "", "print as JSON", ""},

@@ -104,7 +104,8 @@ TEST(Editor, AddsEntriesInStyle)
 
 TEST(Editor, RemovesEntriesAndLeavesComments)
 {
-    EXPECT_EQ(afterRemove("floor.theta"), replaced(original, "    theta     60;   // degrees\n", "       // degrees\n"));
+    EXPECT_EQ(afterRemove("floor.theta"),
+        replaced(original, "    theta     60;   // degrees\n", "       // degrees\n"));
     EXPECT_EQ(afterRemove("floor.nested"), replaced(original, "    nested { a 1; }\n", ""));
     EXPECT_EQ(afterRemove("floor.nested.a"), replaced(original, "{ a 1; }", "{ }"));
     EXPECT_EQ(afterRemove("empty"), replaced(original, "empty\n{\n}\n", ""));

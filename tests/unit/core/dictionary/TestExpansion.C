@@ -21,7 +21,8 @@ TEST(Macro, StandsForAnEarlierValue)
 {
     const Dictionary dict = Dictionary::parse
     (
-        "x 3; w name; v (1 2 3); field uniform 5; p ($x ${x} 0); q $v; text $w; n 2($x $x); $w 7; u { y $x; } copy $field; alpha.a 1; b $alpha.a;"
+        "x 3; w name; v (1 2 3); field uniform 5; p ($x ${x} 0); q $v; text $w; "
+        "n 2($x $x); $w 7; u { y $x; } copy $field; alpha.a 1; b $alpha.a;"
     );
     EXPECT_EQ(dict.lookup<Vector>("p"), (Vector{3, 3, 0}));
     EXPECT_EQ(dict.lookup<Vector>("q"), (Vector{1, 2, 3}));
@@ -40,7 +41,8 @@ TEST(Macro, FindsItsScope)
         "outer\n{\n    x middle; sibling { s 2; }\n"
         "    inner\n    {\n        x here;\n"
         "        plain $x; own $.x; parent $..x; grand $...x; slash ${../x}; far ${../../x}; top $:x;\n"
-        "        dots $:a.b.c; slashes $:a/b/c; aside $sibling.s; open $:outer.sibling.s; back $..sibling.s;\n    }\n}\n"
+        "        dots $:a.b.c; slashes $:a/b/c; aside $sibling.s; "
+        "open $:outer.sibling.s; back $..sibling.s;\n    }\n}\n"
     );
     const Dictionary inner = dict.subDict("outer").subDict("inner");
     const auto word = [&](const char* key) { return inner.lookup<std::string>(key); };
@@ -134,10 +136,12 @@ TEST(Include, LooksForDefaultsInEtc)
     folder.write("home/.shizuku/own", "a 1;");
     folder.write("dir/etc/own", "a 2;");
     folder.write("dir/etc/sub/given", "b 3;");
-    const std::string oldHome = getenv("HOME") ? getenv("HOME") : "", oldDir = getenv("SHIZUKU_DIR") ? getenv("SHIZUKU_DIR") : "";
+    const std::string oldHome = getenv("HOME") ? getenv("HOME") : "";
+    const std::string oldDir = getenv("SHIZUKU_DIR") ? getenv("SHIZUKU_DIR") : "";
     setenv("HOME", (folder.path()/"home").c_str(), 1);
     setenv("SHIZUKU_DIR", (folder.path()/"dir").c_str(), 1);
-    const Dictionary dict = Dictionary::parse("#includeEtc \"own\"\n#includeEtc \"sub/given\"\nc { #include \"<etc>/sub/given\" }");
+    const Dictionary dict =
+        Dictionary::parse("#includeEtc \"own\"\n#includeEtc \"sub/given\"\nc { #include \"<etc>/sub/given\" }");
     const Refusal refusal = refusalOfText("a 1;\n#includeEtc \"absent\"\n");
     setenv("HOME", oldHome.c_str(), 1);
     setenv("SHIZUKU_DIR", oldDir.c_str(), 1);
@@ -170,11 +174,15 @@ TEST(Include, RefusesCirclesAndMissingFiles)
 
 TEST(InputMode, DecidesOnRepeatedKeywords)
 {
-    const auto text = [](const std::string& mode) { return "a 1; d { x 1; y 1; }\n#inputMode " + mode + "\na 2; d { y 2; }\nb 3;"; };
+    const auto text = [](const std::string& mode)
+    {
+        return "a 1; d { x 1; y 1; }\n#inputMode " + mode + "\na 2; d { y 2; }\nb 3;";
+    };
     const auto values = [](const Dictionary& dict)
     {
         const Dictionary d = dict.subDict("d");
-        return std::vector<int>{dict.lookup<int>("a"), d.lookupOr<int>("x", 0), d.lookup<int>("y"), dict.lookup<int>("b")};
+        return std::vector<int>{dict.lookup<int>("a"), d.lookupOr<int>("x", 0), d.lookup<int>("y"),
+            dict.lookup<int>("b")};
     };
     EXPECT_EQ(values(Dictionary::parse(text("merge"))), (std::vector<int>{2, 1, 2, 3}));
     EXPECT_EQ(values(Dictionary::parse(text("default"))), (std::vector<int>{2, 1, 2, 3}));
@@ -183,7 +191,8 @@ TEST(InputMode, DecidesOnRepeatedKeywords)
 
     testing::internal::CaptureStderr();
     EXPECT_EQ(values(Dictionary::parse(text("warn"), "someDict")), (std::vector<int>{1, 1, 1, 3}));
-    EXPECT_TRUE(holds(testing::internal::GetCapturedStderr(), {"'a' is there already, at line 1", "someDict at line 3"}));
+    EXPECT_TRUE(holds(testing::internal::GetCapturedStderr(),
+        {"'a' is there already, at line 1", "someDict at line 3"}));
 
     EXPECT_EQ(refusalOfText(text("error")).line, 3);
     const Refusal unknown = refusalOfText(text("protct"));
@@ -269,7 +278,8 @@ TEST(Calc, KnowsFunctions)
 
 TEST(Calc, RefusesNonsense)
 {
-    for (const char* text : {"1/0", "1 % 0", "", "1 +", "(1", "1 2", "sqrt(-1)", "log(0)", "10^999", "sqrt(1, 2)", "sqroot(2)", "$"})
+    for (const char* text
+        : {"1/0", "1 % 0", "", "1 +", "(1", "1 2", "sqrt(-1)", "log(0)", "10^999", "sqrt(1, 2)", "sqroot(2)", "$"})
     {
         const Refusal refusal = refusalOf([&] { value(text); });
         EXPECT_EQ(refusal.line, 3) << text;

@@ -180,7 +180,10 @@ TEST(Grammar, RefusesFilesThatCannotBeRead)
 
 TEST(Grammar, BearsDeepNestingAndRefusesMore)
 {
-    const auto nested = [](int depth) { return "a 1;\nb " + std::string(depth, '(') + "1" + std::string(depth, ')') + ";"; };
+    const auto nested = [](int depth)
+    {
+        return "a 1;\nb " + std::string(depth, '(') + "1" + std::string(depth, ')') + ";";
+    };
     EXPECT_TRUE(Dictionary::parse(nested(200)).found("b"));
     EXPECT_EQ(refusalOfText(nested(201)).line, 2);
     EXPECT_EQ(refusalOfText(nested(1000000)).line, 2);

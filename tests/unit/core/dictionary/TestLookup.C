@@ -12,7 +12,8 @@ using Vector = std::array<double, 3>;
 
 TEST(Lookup, ReadsEveryType)
 {
-    const Dictionary dict = Dictionary::parse("x -1.5e-3; n 42; big 5000000000; on yes; w word; s \"a string\"; v (1 -2 3e1);");
+    const Dictionary dict =
+        Dictionary::parse("x -1.5e-3; n 42; big 5000000000; on yes; w word; s \"a string\"; v (1 -2 3e1);");
     EXPECT_EQ(dict.lookup<double>("x"), -1.5e-3);
     EXPECT_EQ(dict.lookup<int>("n"), 42);
     EXPECT_EQ(dict.lookup<double>("n"), 42);
@@ -30,7 +31,8 @@ TEST(Lookup, ReadsDimensionedEntries)
 {
     const Dictionary dict = Dictionary::parse
     (
-        "bare 998; sized [1 -3 0 0 0 0 0] 998; named rho [1 -3 0 0 0 0 0] 998; five [1 -3 0 0 0] 998; units [kg/m^3] 998;\n"
+        "bare 998; sized [1 -3 0 0 0 0 0] 998; named rho [1 -3 0 0 0 0 0] 998; "
+        "five [1 -3 0 0 0] 998; units [kg/m^3] 998;\n"
         "g g [0 1 -2 0 0 0 0] (0 0 -9.81); dimensions [m/s];"
     );
     for (const char* key : {"bare", "sized", "named", "five", "units"})
@@ -44,7 +46,8 @@ TEST(Lookup, ReadsDimensionedEntries)
 
 TEST(Lookup, RefusesWrongDimensions)
 {
-    const Dictionary dict = Dictionary::parse("a 1;\nnu [0 2 -2 0 0 0 0] 1e-6;\nbad [0 2] 1;\nunit [furlong] 1;", "someDict");
+    const Dictionary dict =
+        Dictionary::parse("a 1;\nnu [0 2 -2 0 0 0 0] 1e-6;\nbad [0 2] 1;\nunit [furlong] 1;", "someDict");
     const Refusal refusal = refusalOf([&] { dict.lookupDimensioned("nu", dimensions::kinematicViscosity); });
     EXPECT_EQ(refusal.line, 2);
     EXPECT_TRUE(holds(refusal.message, {"someDict", "[0 2 -2 0 0 0 0]", "[0 2 -1 0 0 0 0]"}));
@@ -67,7 +70,8 @@ TEST(Lookup, RefusesWrongTypes)
 {
     const Dictionary dict = Dictionary::parse
     (
-        "word abc;\nreal 1.5;\nhuge 3000000000;\ntwo 1 2;\nnone;\nshort (1 2);\nd { }\nlist 3(1 2);\nmixed (1 a);\nover 1e999;",
+        "word abc;\nreal 1.5;\nhuge 3000000000;\ntwo 1 2;\nnone;\nshort (1 2);\n"
+        "d { }\nlist 3(1 2);\nmixed (1 a);\nover 1e999;",
         "someDict"
     );
     const auto lineOf = [](const auto& call) { return refusalOf(call).line; };
@@ -98,7 +102,8 @@ TEST(Lookup, NamesTheNearestKeywordThatIsThere)
     const Dictionary dict = Dictionary::parse("a 1;\nliquid\n{\n    densty 998;\n    nu 1e-6;\n}\n", "constant/liquid");
     const Refusal refusal = refusalOf([&] { dict.subDict("liquid").lookup<double>("density"); });
     EXPECT_EQ(refusal.line, 2);
-    EXPECT_TRUE(holds(refusal.message, {"'density' is missing", "constant/liquid/liquid", "Did you mean 'densty'?", "    nu\n"}));
+    EXPECT_TRUE(holds(refusal.message,
+        {"'density' is missing", "constant/liquid/liquid", "Did you mean 'densty'?", "    nu\n"}));
 }
 
 TEST(Lookup, OffersChoices)
@@ -106,9 +111,11 @@ TEST(Lookup, OffersChoices)
     const Dictionary dict = Dictionary::parse("startFrom latestTme;\nstopAt endTime;", "someDict");
     EXPECT_EQ(dict.lookupChoice("stopAt", {"endTime", "writeNow"}), "endTime");
     EXPECT_EQ(dict.lookupChoiceOr("absent", {"a", "b"}, "b"), "b");
-    const Refusal refusal = refusalOf([&] { dict.lookupChoice("startFrom", {"startTime", "latestTime", "firstTime"}); });
+    const Refusal refusal =
+        refusalOf([&] { dict.lookupChoice("startFrom", {"startTime", "latestTime", "firstTime"}); });
     EXPECT_EQ(refusal.line, 1);
-    EXPECT_TRUE(holds(refusal.message, {"latestTme", "Did you mean 'latestTime'?", "    firstTime\n    latestTime\n    startTime\n"}));
+    EXPECT_TRUE(holds(refusal.message,
+        {"latestTme", "Did you mean 'latestTime'?", "    firstTime\n    latestTime\n    startTime\n"}));
 }
 
 TEST(Lookup, MatchesPatternsExactFirstThenTheLast)
@@ -144,7 +151,8 @@ TEST(Usage, RefusesWhatNobodyRead)
 {
     const Dictionary dict = Dictionary::parse
     (
-        "FoamFile { version 2; }\n_note x;\nbase 5;\ncopy $base;\nkernel\n{\n    type spline;\n    suport 2;\n}\n", "system/solution"
+        "FoamFile { version 2; }\n_note x;\nbase 5;\ncopy $base;\nkernel\n{\n    type spline;\n    suport 2;\n}\n",
+            "system/solution"
     );
     dict.lookup<int>("copy");
     const Dictionary kernel = dict.subDict("kernel");
@@ -173,7 +181,8 @@ TEST(Error, LaysOutMessagePlaceExpectationAndChoices)
 {
     const FatalInputError error
     (
-        {"constant/models", 12}, "Unknown model 'Akinci2031'", "one of the models below", {"none", "Akinci2013"}, "Akinci2031"
+        {"constant/models", 12}, "Unknown model 'Akinci2031'", "one of the models below", {"none", "Akinci2013"},
+            "Akinci2031"
     );
     EXPECT_STREQ
     (

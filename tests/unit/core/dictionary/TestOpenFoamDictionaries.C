@@ -110,7 +110,8 @@ addLayersControls { layers { "(lower|upper)Wall|motor.*" { nSurfaceLayers 1; } }
 )dict");
     EXPECT_TRUE(dict.lookup<bool>("castellatedMesh"));
     const Dictionary controls = dict.subDict("castellatedMeshControls");
-    EXPECT_EQ(controls.subDict("refinementSurfaces").subDict("motor").lookup<std::vector<int>>("level"), (std::vector<int>{5, 6}));
+    const Dictionary motor = controls.subDict("refinementSurfaces").subDict("motor");
+    EXPECT_EQ(motor.lookup<std::vector<int>>("level"), (std::vector<int>{5, 6}));
     EXPECT_EQ(controls.lookup<Vector>("locationInMesh"), (Vector{3.0001, 3.0001, 0.43}));
     const Dictionary layers = dict.subDict("addLayersControls").subDict("layers");
     EXPECT_TRUE(layers.isDict("upperWall") && layers.isDict("motor_1") && !layers.isDict("inlet"));
@@ -119,7 +120,8 @@ addLayersControls { layers { "(lower|upper)Wall|motor.*" { nSurfaceLayers 1; } }
 TEST(OpenFoam, fields)
 {
     const Dictionary dict = Dictionary::parse(R"dict(
-FoamFile { version 2.0; format ascii; arch "LSB;label=32;scalar=64"; class volVectorField; location "0/liquid"; object U; }
+FoamFile { version 2.0; format ascii; arch "LSB;label=32;scalar=64";
+    class volVectorField; location "0/liquid"; object U; }
 dimensions      [ 0 1 -1 0 0 0 0 ];
 Uinlet          ( 0.1 0 0 );
 internalField   uniform $Uinlet;

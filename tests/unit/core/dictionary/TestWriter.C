@@ -65,7 +65,8 @@ TEST(Json, MapsEveryKind)
 {
     EXPECT_EQ
     (
-        json("a 1.50; b +2; c .5; w on; s \"q\\\"\\\\\"; none; two Gauss linear; l (1 (2 x)); u 3{0}; g [0 1 0 0 0 0 0] 1; d { e nan; } z { }"),
+        json("a 1.50; b +2; c .5; w on; s \"q\\\"\\\\\"; none; two Gauss linear; l (1 (2 x)); "
+             "u 3{0}; g [0 1 0 0 0 0 0] 1; d { e nan; } z { }"),
         "{\n"
         "    \"a\": 1.5,\n"
         "    \"b\": 2,\n"
