@@ -153,7 +153,7 @@ vtkSmartPointer<vtkActor> waterActor(const TriangleMesh& mesh)
     look.SetRoughness(0.12);
     look.SetBaseIOR(1.5);
     look.SetCoatStrength(1.0);      // the coat mirrors the studio more strongly than water would: a brighter picture
-    look.SetCoatRoughness(0.02);
+    look.SetCoatRoughness(0.07);
     look.SetCoatIOR(2.2);
     return actor;
 }
