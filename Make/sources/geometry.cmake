@@ -29,6 +29,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
 # Solid particles on surfaces. CGAL.
 set(SHIZUKU_SAMPLING_SOURCES
     geometry/sampling/Bell.C
+    geometry/sampling/EdgeRows.C
     geometry/sampling/LayerQuality.C
     geometry/sampling/LayerRelaxation.C
     geometry/sampling/PlanarLattice.C

@@ -74,11 +74,19 @@ LayerQuality measureQuality(const ParticleLayer& layer)
     layer.surface().searchPieces(0.1*spacing, [&](const SurfacePoint& place, double pieceRadius)
     {
         if (pieceRadius >= spacing) return true;
-        const Vector3 x = layer.particleAt(place).position;
-        double radius = support, distance = grid.nearestDistance(x, radius);
-        while (!std::isfinite(distance)) distance = grid.nearestDistance(x, radius *= 2);
-        quality.largestHole = std::max(quality.largestHole, distance);
-        return distance + pieceRadius > quality.largestHole;
+        const LayerParticle particle = layer.particleAt(place);
+        double hole = grid.nearestDistance(particle.position, support);
+        if (hole > quality.largestHole)
+        {
+            const bool clear = layer.clear(particle);
+            hole = layer.holeAt(particle, clear, grid, support);
+            for (double reach = 2*support; !std::isfinite(hole); reach *= 2)
+            {
+                hole = layer.holeAt(particle, clear, grid, reach);
+            }
+            quality.largestHole = std::max(quality.largestHole, hole);
+        }
+        return hole + pieceRadius > quality.largestHole;
     });
     return quality;
 }

@@ -90,23 +90,25 @@ void fillHoles(ParticleLayer& layer, double hole, double cover)
 {
     // Pieces this small miss a hole by no more than their size.
     const double resolution = 0.2*layer.spacing();
+    const double reach = 2*layer.spacing();
     PointGrid grid = layer.grid(cover);
-    for (const double radius : {hole, cover})
+    layer.surface().searchPieces(resolution, [&](const SurfacePoint& place, double pieceRadius)
     {
-        layer.surface().searchPieces(resolution, [&](const SurfacePoint& place, double pieceRadius)
+        if (pieceRadius >= hole) return true;
+        const LayerParticle particle = layer.particleAt(place);
+        const double distance = grid.nearestDistance(particle.position, hole);
+        if (distance + pieceRadius <= hole) return false;
+        if (distance > hole)
         {
-            if (pieceRadius >= radius) return true;
-            const LayerParticle particle = layer.particleAt(place);
-            const double distance = grid.nearestDistance(particle.position, radius);
-            if (distance + pieceRadius <= radius) return false;
-            if (distance > radius && (radius == cover || layer.clear(particle)))
+            const bool clear = layer.clear(particle);
+            if (clear || layer.holeAt(particle, clear, grid, reach) > cover)
             {
                 grid.insert(particle.position);
                 layer.particles().push_back(particle);
             }
-            return true;
-        });
-    }
+        }
+        return true;
+    });
 }
 
 }

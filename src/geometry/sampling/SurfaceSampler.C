@@ -1,6 +1,7 @@
 #include "geometry/sampling/SurfaceSampler.H"
 
 #include "core/messages/Progress.H"
+#include "geometry/sampling/EdgeRows.H"
 #include "geometry/sampling/LayerRelaxation.H"
 #include "geometry/sampling/PlanarLattice.H"
 #include "geometry/sampling/SeedMethod.H"
@@ -12,9 +13,9 @@ namespace
 {
     constexpr double smallestGap = 0.75;    // spacings
     constexpr double seedHole = 0.8;        // spacings: seeds as dense as discs at random can be
-    constexpr double hole = 0.88;           // spacings: a particle fits with room to spare
-    constexpr double cover = 0.92;          // spacings: a particle is put there, come what may
-    constexpr int rounds = 3;              // of relaxing, thinning out and filling
+    constexpr double hole = 0.85;           // spacings: a particle fits with room to spare
+    constexpr double cover = 0.98;          // spacings: where the layer is cut off by edges or shared in a thin plate
+    constexpr int rounds = 3;               // of relaxing, thinning out and filling
 }
 
 SampledSurface sampleSurface
@@ -29,6 +30,7 @@ SampledSurface sampleSurface
     std::mt19937_64 random(1);
     Progress progress(what);
 
+    addEdgeRows(layer);
     addPlanarLattices(layer);
     SeedMethodTable::New("method", parameters.method, {})->addSeeds(layer, random);
     fillHoles(layer, seedHole*spacing, cover*spacing);
