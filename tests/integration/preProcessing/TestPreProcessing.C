@@ -1,0 +1,240 @@
+// The built sampleSurface, sampleTheta and fillLiquid on small cases: what they write, and how they refuse bad input.
+
+#include "core/fieldFile/FieldFile.H"
+#include "geometry/SolidParticles.H"
+#include "support/ScratchFolder.H"
+#include "support/Surfaces.H"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+struct Outcome
+{
+    int status = -1;        // exit status
+    std::string text;       // stdout and stderr
+};
+
+// A case of a square floor of 20 x 20 mm and a drop on it, at a spacing of 1 mm.
+class PreProcessing : public testing::Test
+{
+protected:
+    PreProcessing()
+    {
+        folder_.write("system/controlDict", "endTime 1; deltaT 0.1; writeInterval 1; writeFormat ascii;");
+        folder_.write("system/solution", "spacing 1e-3;");
+        folder_.write("constant/walls", "floor { type particles; surface \"floor.stl\"; scale 0.001; }");
+        folder_.write("constant/wettability", "floor { theta 60; }");
+        folder_.write("constant/triSurface/floor.stl", stlText(rectangle(20, 20), "floor"));
+        fill("drop { type cap; centre (0.01 0.01 0); normal (0 0 1); contactAngle 90; volume 4e-7; velocity (0 0 -1); }");
+    }
+
+    void fill(const std::string& bodies) { folder_.write("system/fillLiquidDict", "bodies\n{\n" + bodies + "\n}\n"); }
+
+    Outcome run(const std::string& application)
+    {
+        const char* build = std::getenv("SHIZUKU_BUILD");
+        const std::string command =
+            std::string(build ? build : ".") + "/bin/" + application + " -case '" + folder_.path().string() + "' 2>&1";
+        Outcome outcome;
+        FILE* pipe = popen(command.c_str(), "r");
+        if (!pipe) return outcome;
+        char buffer[4096];
+        while (const std::size_t n = fread(buffer, 1, sizeof buffer, pipe)) outcome.text.append(buffer, n);
+        const int status = pclose(pipe);
+        if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
+        return outcome;
+    }
+
+    void expectSuccess(const std::string& application, const std::vector<std::string>& parts)
+    {
+        const Outcome outcome = run(application);
+        EXPECT_EQ(outcome.status, 0) << outcome.text;
+        EXPECT_TRUE(holds(outcome.text, parts));
+        EXPECT_TRUE(holds(outcome.text, {"ExecutionTime", "End"}));
+    }
+
+    // Refused with status 1 and a message, and the output is not there, not even a part of it.
+    void expectRefusal(const std::string& application, const std::vector<std::string>& parts, const std::string& output)
+    {
+        const Outcome outcome = run(application);
+        EXPECT_EQ(outcome.status, 1) << outcome.text;
+        EXPECT_TRUE(holds(outcome.text, parts));
+        EXPECT_TRUE(holds(outcome.text, {"FATAL IO ERROR"}));
+        EXPECT_FALSE(std::filesystem::exists(folder_.path()/output));
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path()))
+        {
+            EXPECT_EQ(entry.path().string().find(".partial"), std::string::npos) << entry.path();
+        }
+    }
+
+    const std::filesystem::path& casePath() const { return folder_.path(); }
+
+    ScratchFolder folder_;
+};
+
+}
+
+TEST_F(PreProcessing, chainWritesSolidAnglesAndLiquid)
+{
+    expectSuccess("sampleSurface", {"floor", "minimal gap", "largest hole", "density variation"});
+    const SolidParticles solid = readSolidParticles(casePath());
+    // A triangular lattice has 1.155 particles a squared spacing; fitting it to 20 spacings changes that by 5 % at most.
+    EXPECT_NEAR(solid.positions.size(), 462, 23);
+    EXPECT_EQ(solid.patches, std::vector<std::string>{"floor"});
+    for (std::size_t i = 0; i < solid.positions.size(); ++i)
+    {
+        ASSERT_NEAR(solid.positions[i].z, -0.5e-3, 1e-11);     // nine digits are written
+        ASSERT_EQ(solid.normals[i], Vector3(0, 0, 1));
+        ASSERT_EQ(solid.patch[i], 0);
+    }
+
+    expectSuccess("sampleTheta", {"floor", "60"});
+    const FieldData theta = readField(casePath()/"0/solid/theta", FieldType::scalar, dimensions::none);
+    EXPECT_TRUE(theta.uniform);
+    EXPECT_EQ(theta(0), 60);
+
+    expectSuccess("fillLiquid", {"drop", "particles", "4e-07 m3"});
+    const FieldData positions = readField(casePath()/"0/liquid/positions", FieldType::vector, dimensions::length);
+    const long count = long(positions.elements());
+    // Half a ball of 5.76 spacings: 400 particles, but for a tenth of its curved surface of 208.
+    EXPECT_NEAR(double(count), 400, 21);
+    const FieldData U = readField(casePath()/"0/liquid/U", FieldType::vector, dimensions::velocity, count);
+    for (long i = 0; i < count; ++i)
+    {
+        ASSERT_GT(positions(i, 2), 0.499e-3);
+        ASSERT_EQ(U(i, 2), -1);
+    }
+}
+
+TEST_F(PreProcessing, binaryFormatGivesTheSame)
+{
+    expectSuccess("sampleSurface", {});
+    const SolidParticles ascii = readSolidParticles(casePath());
+    folder_.write("system/controlDict", "endTime 1; deltaT 0.1; writeInterval 1; writeFormat binary;");
+    expectSuccess("sampleSurface", {});
+    const SolidParticles binary = readSolidParticles(casePath());
+    ASSERT_EQ(ascii.positions.size(), binary.positions.size());
+    for (std::size_t i = 0; i < ascii.positions.size(); ++i)
+    {
+        ASSERT_NEAR(length(ascii.positions[i] - binary.positions[i]), 0, 1e-8);     // floats of 0.02
+    }
+    EXPECT_TRUE(holds(folder_.read("constant/solid/positions"), {"format      binary"}));
+}
+
+TEST_F(PreProcessing, casesWithoutSampledWallsNeedNothing)
+{
+    folder_.write("constant/walls", "lid { type plane; point (0 0 1); normal (0 0 -1); }");
+    folder_.write("constant/wettability", "lid { theta 90; }");
+    expectSuccess("sampleSurface", {"nothing to sample"});
+    expectSuccess("sampleTheta", {"nothing to write"});
+    EXPECT_FALSE(std::filesystem::exists(casePath()/"constant/solid"));
+    folder_.write("constant/walls", "");
+    expectSuccess("sampleTheta", {"nothing to do"});
+    expectSuccess("fillLiquid", {"Wrote 0/liquid"});
+}
+
+TEST_F(PreProcessing, otherSurfaceFormatsAreRead)
+{
+    folder_.write("constant/walls", "block { type particles; surface \"block.off\"; }");
+    folder_.write
+    (
+        "constant/triSurface/block.off",
+        "OFF\n8 6 0\n0 0 0\n.01 0 0\n0 .01 0\n.01 .01 0\n0 0 .01\n.01 0 .01\n0 .01 .01\n.01 .01 .01\n"
+        "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n"
+    );
+    expectSuccess("sampleSurface", {"block: read 12 triangles"});
+    EXPECT_EQ(readSolidParticles(casePath()).patches, std::vector<std::string>{"block"});
+
+    folder_.write("constant/walls", "block { type particles; surface \"block.obj\"; }");
+    folder_.write("constant/triSurface/block.obj", "v 0 0 0\nv .01 0 0\nv .01 .01 0\nv 0 .01 0\nf 1 2 3 4\n");
+    expectSuccess("sampleSurface", {"block: read 2 triangles", "1 open border left open"});
+}
+
+TEST_F(PreProcessing, badSurfacesAreRefused)
+{
+    const std::string stl = "constant/triSurface/floor.stl", output = "constant/solid";
+    folder_.write(stl, "");
+    expectRefusal("sampleSurface", {"floor.stl", "empty"}, output);
+    folder_.write(stl, "not a surface");
+    expectRefusal("sampleSurface", {"floor.stl", "no STL"}, output);
+    folder_.write(stl, stlText(rectangle(20, 0), "line"));
+    expectRefusal("sampleSurface", {"floor.stl", "degenerate"}, output);
+    std::filesystem::remove(casePath()/stl);
+    expectRefusal("sampleSurface", {"Cannot read", "floor.stl"}, output);
+}
+
+TEST_F(PreProcessing, surfacesInOtherUnitsAreRefusedWithAHint)
+{
+    folder_.write("constant/triSurface/floor.stl", stlText(rectangle(20, 20), "floor"));
+    folder_.write("constant/walls", "floor { type particles; surface \"floor.stl\"; }");
+    // 20 m x 20 m at 1 mm: 4.6e8 particles.
+    expectRefusal("sampleSurface", {"20 x 20", "4.6188e+08", "scale 0.001", "constant/walls"}, "constant/solid");
+    folder_.write("constant/walls", "floor { type particles; surface \"floor.stl\"; scale 1e-6; }");
+    expectRefusal("sampleSurface", {"less than one particle", "scale"}, "constant/solid");
+    folder_.write("constant/walls", "floor { type particles; surface \"floor.stl\"; scale -1; }");
+    expectRefusal("sampleSurface", {"scale", "-1"}, "constant/solid");
+}
+
+TEST_F(PreProcessing, badSamplingEntriesAreRefused)
+{
+    folder_.write("system/sampleSurfaceDict", "method belle;");
+    expectRefusal("sampleSurface", {"belle", "bell", "poissonDisk"}, "constant/solid");
+    folder_.write("system/sampleSurfaceDict", "methood bell;");
+    expectRefusal("sampleSurface", {"methood", "method"}, "constant/solid");
+    std::filesystem::remove(casePath()/"system/sampleSurfaceDict");
+    folder_.write("system/solution", "spacing 0;");
+    expectRefusal("sampleSurface", {"spacing"}, "constant/solid");
+}
+
+TEST_F(PreProcessing, badWettabilityIsRefused)
+{
+    expectRefusal("sampleTheta", {"sampleSurface first"}, "0/solid/theta");
+    expectSuccess("sampleSurface", {});
+    folder_.write("constant/wettability", "");
+    expectRefusal("sampleTheta", {"'floor'", "wettability"}, "0/solid/theta");
+    folder_.write("constant/wettability", "floor { theta 60; }\nflour { theta 60; }");
+    expectRefusal("sampleTheta", {"'flour'", "floor", "wettability", "2"}, "0/solid/theta");
+    folder_.write("constant/wettability", "floor { theta 200; }");
+    expectRefusal("sampleTheta", {"200", "0 to 180"}, "0/solid/theta");
+}
+
+TEST_F(PreProcessing, badBodiesAreRefused)
+{
+    const std::string output = "0/liquid";
+    fill("drop { type ball; centre (0 0 0.01); radius 5e-3; }");
+    expectRefusal("fillLiquid", {"ball", "sphere", "cap", "fillLiquidDict"}, output);
+    fill("drop { type sphere; centre (0 0 0.01); radius -5e-3; }");
+    expectRefusal("fillLiquid", {"radius", "-0.005"}, output);
+    fill("drop { type sphere; centre (0 0 0.01); radius 5e-3; colour blue; }");
+    expectRefusal("fillLiquid", {"colour"}, output);
+    fill("");
+    expectRefusal("fillLiquid", {"no body"}, output);
+}
+
+TEST_F(PreProcessing, liquidInsideASolidIsRefused)
+{
+    expectSuccess("sampleSurface", {});
+    fill("drop { type sphere; centre (0.01 0.01 0.003); radius 5e-3; }");
+    expectRefusal("fillLiquid", {"Liquid inside a solid", "'floor'", "'drop'", "first one at"}, "0/liquid");
+    folder_.write
+    (
+        "constant/walls",
+        "floor { type particles; surface \"floor.stl\"; } lid { type plane; point (0 0 5e-3); normal (0 0 -1); }"
+    );
+    fill("drop { type box; min (0 0 0); max (0.01 0.01 0.01); }");
+    // Five layers of a hundred are above the lid.
+    expectRefusal("fillLiquid", {"plane 'lid'", "500 of the 1000"}, "0/liquid");
+    fill("a { type box; min (0 0 0); max (4e-3 4e-3 4e-3); } b { type box; min (2e-3 0 0); max (6e-3 4e-3 4e-3); }");
+    expectRefusal("fillLiquid", {"Liquid inside of other liquid", "'a'", "'b'"}, "0/liquid");
+}
+
+}
