@@ -108,8 +108,8 @@ private:
                 {
                     throw FatalInputError
                     (
-                        {file_.string(), line_}, "Unknown format '" + format + "'", "", {"ascii", "binary_little_endian"},
-                        format
+                        {file_.string(), line_}, "Unknown format '" + format + "'", "",
+                        {"ascii", "binary_little_endian"}, format
                     );
                 }
                 ascii_ = format == "ascii";
@@ -258,7 +258,8 @@ private:
 
     int index(double value) const
     {
-        if (!(value >= 0 && value <= std::numeric_limits<int>::max())) fail("Vertex index out of range in " + position_);
+        const bool possible = value >= 0 && value <= std::numeric_limits<int>::max();
+        if (!possible) fail("Vertex index out of range in " + position_);
         return int(value);
     }
 

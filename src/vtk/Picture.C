@@ -88,7 +88,7 @@ struct Panel
     }
 };
 
-// A photographer's studio as the surroundings that water mirrors: a pale floor, a wall that darkens upwards, two panels.
+// A photographer's studio as the surroundings that water mirrors: a pale floor, walls that darken upwards, two panels.
 vtkSmartPointer<vtkTexture> studioSurroundings()
 {
     constexpr int width = 256, height = 128;
@@ -101,7 +101,9 @@ vtkSmartPointer<vtkTexture> studioSurroundings()
         for (int column = 0; column < width; ++column)
         {
             const double elevation = (double(row)/(height - 1) - 0.5)*180, azimuth = double(column)/width*360;
-            double light = elevation < 0 ? 0.55 + 0.25*std::min(1.0, -elevation/60) : 0.75 - 0.5*std::min(1.0, elevation/70);
+            double light = elevation < 0
+                ? 0.55 + 0.25*std::min(1.0, -elevation/60)
+                : 0.75 - 0.5*std::min(1.0, elevation/70);
             for (const Panel& panel : panels) light += panel.lightAt(azimuth, elevation);
             auto* pixel = static_cast<float*>(image->GetScalarPointer(column, row, 0));
             pixel[0] = float(light*0.96);

@@ -68,7 +68,8 @@ vtkSmartPointer<vtkActor> studioFloor
     castShadow(contact, liquid, -plane.normal, 0.12*radius);
 
     const Vector3 corner = shadow.centre - shadow.halfWidth*(shadow.right + shadow.up);
-    const Vector3 alongRight = corner + 2*shadow.halfWidth*shadow.right, alongUp = corner + 2*shadow.halfWidth*shadow.up;
+    const Vector3 alongRight = corner + 2*shadow.halfWidth*shadow.right;
+    const Vector3 alongUp = corner + 2*shadow.halfWidth*shadow.up;
     vtkNew<vtkPlaneSource> quad;
     quad->SetOrigin(corner.x, corner.y, corner.z);
     quad->SetPoint1(alongRight.x, alongRight.y, alongRight.z);

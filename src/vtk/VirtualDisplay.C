@@ -79,7 +79,8 @@ VirtualDisplay::VirtualDisplay()
     {
         throw FatalError
         (
-            "This VTK renders through X, and there is neither a display nor Xvfb, the virtual one: install the package xvfb"
+            "This VTK renders through X, and there is neither a display nor Xvfb, the virtual one: "
+            "install the package xvfb"
         );
     }
 }

@@ -62,7 +62,12 @@ TEST_F(DropCase, ProbeAngleReportsADropThatLeftTheWall)
 TEST_F(DropCase, ProbeAngleTakesAnalyticPlanesAndSelectedTimes)
 {
     fs::remove_all(path()/"constant/solid");
-    write("constant/walls", "floor { type plane; point (0 0 0); normal (0 0 1); }\ntop { type plane; point (0 0 1); normal (0 0 -1); }\n");
+    write
+    (
+        "constant/walls",
+        "floor { type plane; point (0 0 0); normal (0 0 1); }\n"
+        "top { type plane; point (0 0 1); normal (0 0 -1); }\n"
+    );
     write("constant/wettability", "floor { theta 75; }\n");
     write("system/probeAngleDict", "wall floor;\nfitAbove 1.5;\n");
     writeTime("0", {drop(90)});

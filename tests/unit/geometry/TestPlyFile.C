@@ -87,7 +87,8 @@ TEST_F(PlyFile, ReadsForeignFiles)
 {
     // Double coordinates, other properties, another element between, a quadrangle, Windows line ends in the header.
     const TriangleMesh mesh = readPly(file(
-        "ply\r\nformat ascii 1.0\r\ncomment made by hand\r\nelement vertex 4\r\nproperty double x\r\nproperty double y\r\n"
+        "ply\r\nformat ascii 1.0\r\ncomment made by hand\r\nelement vertex 4\r\n"
+        "property double x\r\nproperty double y\r\n"
         "property uchar red\r\nproperty double z\r\nelement material 1\r\nproperty list uchar float shine\r\n"
         "element face 1\r\nproperty list uchar uint vertex_index\r\nend_header\r\n"
         "0 0 255 0\n1 0 255 0\n1 1 255 0\n0 1 255 0.5\n2 0.1 0.2\n4 0 1 2 3\n"));

@@ -50,14 +50,19 @@ std::string report(const DropRecord& record, const std::string& wall)
         return text.str();
     };
 
-    out << "Drop " << record.drop << " on " << wall << " at time " << record.time << " s: " << word(shape.state) << '\n';
+    out << "Drop " << record.drop << " on " << wall << " at time " << record.time << " s: "
+        << word(shape.state) << '\n';
     line("prescribed angle") << (std::isnan(record.prescribed) ? "none" : fixed(record.prescribed, 2) + " deg") << '\n';
     if (shape.state == DropState::attached)
     {
         line("measured angle") << fixed(shape.angle, 2) << " deg\n";
         line("fit residual") << fixed(shape.residual, 3) << " spacings\n";
     }
-    else line("measured angle") << "none, the drop is " << (shape.state == DropState::film ? "a film" : "off the wall") << '\n';
+    else
+    {
+        const char* const reason = shape.state == DropState::film ? "a film" : "off the wall";
+        line("measured angle") << "none, the drop is " << reason << '\n';
+    }
     line("contact radius") << fixed(1e3*shape.contactRadius, 4) << " mm\n";
     line("height") << fixed(1e3*shape.height, 4) << " mm\n";
     line("covered area") << fixed(1e6*shape.coveredArea, 4) << " mm2\n";

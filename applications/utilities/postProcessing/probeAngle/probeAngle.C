@@ -52,7 +52,10 @@ std::vector<Drop> readDrops(const std::filesystem::path& file, double spacing)
     const TriangleMesh mesh = readPly(file);
     if (!findDefects(mesh).closed() || mesh.volume() < 0)
     {
-        throw FatalInputError({file.string(), 0}, "The mesh is open, or its faces look inward", "a closed mesh of meshSurface");
+        throw FatalInputError
+        (
+            {file.string(), 0}, "The mesh is open, or its faces look inward", "a closed mesh of meshSurface"
+        );
     }
     return separateDrops(mesh, smallest*spacing*spacing*spacing);
 }

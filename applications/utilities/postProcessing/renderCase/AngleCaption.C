@@ -53,7 +53,8 @@ std::string degrees(const std::string& text, int digits)
 std::string describe(Row& row)
 {
     std::string text = row["state"] == "attached" ? "contact angle " + degrees(row["angle"], 1) : row["state"];
-    if (!std::isnan(std::atof(row["prescribed"].c_str()))) text += " (prescribed " + degrees(row["prescribed"], 0) + ")";
+    const std::string& prescribed = row["prescribed"];
+    if (!std::isnan(std::atof(prescribed.c_str()))) text += " (prescribed " + degrees(prescribed, 0) + ")";
     return text;
 }
 

@@ -62,7 +62,8 @@ private:
 // The place of a time among all of the case: the same number whatever times are selected.
 int indexOf(const TimeFolder& time, const std::vector<TimeFolder>& all)
 {
-    const auto at = std::find_if(all.begin(), all.end(), [&](const TimeFolder& other) { return other.name == time.name; });
+    const auto same = [&](const TimeFolder& other) { return other.name == time.name; };
+    const auto at = std::find_if(all.begin(), all.end(), same);
     return int(at - all.begin());
 }
 
@@ -125,6 +126,7 @@ int main(int argc, char** argv)
     options.push_back({"format", "ascii|binary|appended", "how the numbers stand in the files", "appended"});
     return runApplication
     (
-        argc, argv, {"shizukuToVTK", "Converts particles, solids and surfaces to VTK files for ParaView.", options}, convert
+        argc, argv,
+        {"shizukuToVTK", "Converts particles, solids and surfaces to VTK files for ParaView.", options}, convert
     );
 }
