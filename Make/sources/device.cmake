@@ -40,4 +40,5 @@ set(SHIZUKU_DEVICE_SOURCES
     surface/LiquidSurface.C
     functionObjects/FunctionObjects.C
     functionObjects/liquidState/LiquidStateTable.C
+    functionObjects/stepTime/StepTime.C
 )

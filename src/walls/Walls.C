@@ -112,6 +112,7 @@ Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liqu
         surfaces_.halfSpace = {halfSpace_.span(), liquid.support()};
     }
     if (sampled_) readParticles(liquid);
+    dict_.refuseUnused();
 }
 
 void Walls::readParticles(const Liquid& liquid)

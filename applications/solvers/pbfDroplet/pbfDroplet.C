@@ -31,7 +31,7 @@ void pbfDroplet(const Arguments& args)
     Liquid liquid(LiquidProperties::read(solution, liquidDict), solution.subDictOrEmpty("kernel"));
     Walls walls(args.casePath(), time.value(), liquid);
     Models models(args.casePath(), solution, liquid, walls);
-    const StepControl control(time.controlDict());
+    StepControl control(time.controlDict());
     FunctionObjects functions(time, !args.found("noFunctionObjects"));
     solution.refuseUnused();
     liquidDict.refuseUnused();
@@ -50,7 +50,7 @@ void pbfDroplet(const Arguments& args)
     std::string lastWritten = time.path();
     while (time.running())
     {
-        time.readIfModified();
+        if (time.readIfModified()) control = StepControl(time.controlDict());
         const SubSteps steps = control.divide(time.deltaT(), state.maxSpeed, liquid, models);
         const float dt = liquid.units().toScaled(steps.dt, dimensions::time);
         time.advance();

@@ -27,8 +27,16 @@ public:
     Gravity(const std::filesystem::path& constant, const Liquid& liquid)
     {
         const Dictionary dict = Dictionary::read(constant / "g");
-        dict.lookupOr<std::string>("dimensions", "");
+        if (dict.found("dimensions") && dict.lookupDimensions("dimensions") != dimensions::acceleration)
+        {
+            throw FatalInputError
+            (
+                dict.where("dimensions"), "Gravity has the dimensions " + dict.lookupDimensions("dimensions").str(),
+                dimensions::acceleration.str()
+            );
+        }
         const auto g = dict.lookupDimensionedVector("value", dimensions::acceleration);
+        dict.refuseUnused();
         magnitude_ = std::hypot(g[0], g[1], g[2]);
         const auto scaled = [&](double component) { return liquid.units().toScaled(component, dimensions::acceleration); };
         g_ = {scaled(g[0]), scaled(g[1]), scaled(g[2])};

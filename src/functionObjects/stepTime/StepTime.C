@@ -1,0 +1,52 @@
+// Wall-clock time of each step, without what is written between steps.
+//
+//     timing { type stepTime; }
+//
+// A row a step: the simulated time and the milliseconds since the step before ended. The first step, which loads code
+// and allocates memory, has a row like any other: benchmarks leave it out as warm-up.
+
+#include "core/fieldFile/CsvFile.H"
+#include "functionObjects/FunctionObject.H"
+
+#include <chrono>
+
+namespace shizuku
+{
+
+namespace
+{
+
+class StepTime : public FunctionObject
+{
+public:
+    StepTime(const Dictionary&, const std::filesystem::path& folder)
+    :
+        table_(folder / "stepTime.csv", {{"time", "s"}, {"wall", "ms"}}), last_(Clock::now())
+    {}
+
+    // The state was read off the device: the step is complete.
+    void execute(const Time& time, const LiquidState&) override
+    {
+        const auto now = Clock::now();
+        table_.addRow({time.value(), std::chrono::duration<double, std::milli>(now - last_).count()});
+        last_ = Clock::now();
+    }
+
+    void write() override
+    {
+        table_.write();
+        last_ = Clock::now();
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    CsvFile table_;
+    Clock::time_point last_;
+};
+
+const FunctionObjectTable::Add<StepTime> registered{"stepTime"};
+
+}
+
+}
