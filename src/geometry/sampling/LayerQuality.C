@@ -75,6 +75,7 @@ LayerQuality measureQuality(const ParticleLayer& layer)
     {
         if (pieceRadius >= spacing) return true;
         const LayerParticle particle = layer.particleAt(place);
+        if (grid.anyWithin(particle.position, quality.largestHole - pieceRadius)) return false;
         double hole = grid.nearestDistance(particle.position, support);
         if (hole > quality.largestHole)
         {

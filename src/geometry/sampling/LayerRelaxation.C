@@ -96,9 +96,8 @@ void fillHoles(ParticleLayer& layer, double hole, double cover)
     {
         if (pieceRadius >= hole) return true;
         const LayerParticle particle = layer.particleAt(place);
-        const double distance = grid.nearestDistance(particle.position, hole);
-        if (distance + pieceRadius <= hole) return false;
-        if (distance > hole)
+        if (grid.anyWithin(particle.position, hole - pieceRadius)) return false;
+        if (!grid.anyWithin(particle.position, hole))
         {
             const bool clear = layer.clear(particle);
             if (clear || layer.holeAt(particle, clear, grid, reach) > cover)

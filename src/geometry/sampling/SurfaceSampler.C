@@ -34,6 +34,7 @@ SampledSurface sampleSurface
     addPlanarLattices(layer);
     SeedMethodTable::New("method", parameters.method, {})->addSeeds(layer, random);
     fillHoles(layer, seedHole*spacing, cover*spacing);
+    layer.sort();
     for (int round = 0; round < rounds; ++round)
     {
         relax(layer, parameters.iterations/rounds, [&](double part) { progress.update((round + part)/rounds); });
