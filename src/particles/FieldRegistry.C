@@ -28,11 +28,14 @@ FieldRegistry::Entry* FieldRegistry::find(const std::string& name)
 
 void FieldRegistry::resize(int n)
 {
+    const int before = size_;
     size_ = n;
-    for (const auto& entry : entries_)
+    const auto resizeField = [&](auto& field)
     {
-        std::visit([n](auto& field) { field.resize(n); }, entry->values);
-    }
+        field.resize(n);
+        field.setZero(before);
+    };
+    for (const auto& entry : entries_) std::visit(resizeField, entry->values);
 }
 
 void FieldRegistry::reorder(const Buffer<std::uint32_t>& order)

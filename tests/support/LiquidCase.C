@@ -1,0 +1,60 @@
+#include "support/LiquidCase.H"
+
+#include "core/fieldFile/FieldFile.H"
+
+#include <numeric>
+
+namespace shizuku::test
+{
+
+LiquidCase::LiquidCase(const CaseText& text)
+:
+    liquid(makeLiquid(text)), walls(folder.path(), 0, liquid), near(liquid)
+{}
+
+// Writes the case's files as well: the walls read them next.
+Liquid LiquidCase::makeLiquid(const CaseText& text) const
+{
+    folder.write("constant/walls", text.walls);
+    folder.write("constant/wettability", text.wettability);
+    folder.write("constant/g", text.g);
+    if (!text.solidPositions.empty())
+    {
+        SolidParticles solid;
+        for (const Vec3& p : text.solidPositions) solid.positions.push_back(text.spacing * Vector3(p.x, p.y, p.z));
+        solid.normals.assign(solid.positions.size(), {text.solidNormal.x, text.solidNormal.y, text.solidNormal.z});
+        solid.patch.assign(solid.positions.size(), 0);
+        solid.patches = {"floor"};
+        writeSolidParticles(folder.path(), solid, {.binary = true});
+    }
+    if (!text.solidTheta.empty())
+    {
+        const FieldData theta{.name = "theta", .type = FieldType::scalar, .dimensions = {}, .values = text.solidTheta};
+        std::filesystem::create_directories(folder.path() / "0/solid");
+        writeField(folder.path() / "0/solid/theta", theta, {.binary = true});
+    }
+    Dictionary solution = Dictionary::parse("spacing " + std::to_string(text.spacing) + ";");
+    return Liquid
+    (
+        LiquidProperties::read(solution, Dictionary::parse(text.liquidProperties)), Dictionary::parse(text.kernel)
+    );
+}
+
+void LiquidCase::place(const std::vector<Vec3>& positions, const std::vector<Vec3>& velocities)
+{
+    const int n = int(positions.size());
+    std::vector<Vec3> scaled;
+    for (const Vec3& p : positions) scaled.push_back(liquid.spacing() * p);
+    std::vector<std::uint32_t> id(n);
+    std::iota(id.begin(), id.end(), 0u);
+
+    liquid.resize(n);
+    liquid.position.upload(scaled);
+    liquid.predicted.upload(scaled);
+    liquid.velocity.upload(velocities.empty() ? std::vector<Vec3>(n) : velocities);
+    liquid.id.upload(id);
+    near.update(liquid);
+    walls.update(liquid);
+}
+
+}

@@ -1,0 +1,47 @@
+#include "device/Algorithms.H"
+#include "support/PointSets.H"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+// Few distinct keys, so that most of the order is decided by stability; and keys that use all 32 bits.
+TEST(Algorithms, SortByKeyIsStable)
+{
+    RandomNumbers random(3);
+    for (const int n : {0, 1, 2, 1000, 30011})
+    {
+        for (const float keyRange : {5.0f, 4294967040.0f})
+        {
+            std::vector<std::uint32_t> keys(n), order(n);
+            for (auto& key : keys) key = std::uint32_t(random(0, keyRange));
+            std::iota(order.begin(), order.end(), 0u);
+            Buffer<std::uint32_t> deviceKeys(keys), deviceValues(order);
+            sortByKey(deviceKeys, deviceValues);
+
+            std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return keys[a] < keys[b]; });
+            std::sort(keys.begin(), keys.end());
+            EXPECT_EQ(deviceKeys.download(), keys);
+            EXPECT_EQ(deviceValues.download(), order);
+        }
+    }
+}
+
+TEST(Algorithms, ExclusiveScanReturnsTheTotalBehindThePrefixSums)
+{
+    RandomNumbers random(5);
+    for (const int n : {0, 1, 2, 1000, 30011})
+    {
+        std::vector<std::uint32_t> in(n), expected{0};
+        for (auto& value : in) value = std::uint32_t(random(0, 1000));
+        for (const auto value : in) expected.push_back(expected.back() + value);
+
+        Buffer<std::uint32_t> out;
+        EXPECT_EQ(exclusiveScan(Buffer<std::uint32_t>(in), out), expected.back());
+        EXPECT_EQ(out.download(), expected);
+    }
+}

@@ -1,0 +1,94 @@
+#include "device/Buffer.H"
+#include "device/Device.H"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+using namespace shizuku;
+
+namespace
+{
+
+std::vector<int> counting(int n)
+{
+    std::vector<int> values(n);
+    std::iota(values.begin(), values.end(), 1);
+    return values;
+}
+
+}
+
+TEST(Buffer, ReturnsWhatWasUploaded)
+{
+    const std::vector<int> values = counting(1000);
+    const Buffer<int> buffer(values);
+    EXPECT_EQ(buffer.size(), 1000);
+    EXPECT_EQ(buffer.download(), values);
+    EXPECT_EQ(buffer.span().size, 1000);
+    EXPECT_TRUE(Buffer<int>().download().empty());
+}
+
+TEST(Buffer, KeepsItsElementsWhenItGrowsAndShrinks)
+{
+    Buffer<int> buffer(counting(100));
+    buffer.resize(5000);
+    const std::vector<int> grown = buffer.download();
+    ASSERT_EQ(grown.size(), 5000u);
+    EXPECT_EQ(std::vector<int>(grown.begin(), grown.begin() + 100), counting(100));
+    buffer.resize(7);
+    EXPECT_EQ(buffer.download(), counting(7));
+}
+
+TEST(Buffer, SetsZeroFromAnElementOn)
+{
+    Buffer<int> buffer(counting(10));
+    buffer.setZero(4);
+    EXPECT_EQ(buffer.download(), (std::vector<int>{1, 2, 3, 4, 0, 0, 0, 0, 0, 0}));
+    buffer.setZero();
+    EXPECT_EQ(buffer.download(), std::vector<int>(10, 0));
+    buffer.setZero(10);     // behind the last one: nothing
+    EXPECT_EQ(buffer.download(), std::vector<int>(10, 0));
+}
+
+TEST(Buffer, MovesWithoutAllocating)
+{
+    Buffer<int> a(counting(10)), b(counting(3));
+    const std::size_t bytes = deviceCounters().bytes;
+    Buffer<int> c(std::move(a));
+    EXPECT_EQ(c.download(), counting(10));
+    EXPECT_EQ(a.size(), 0);
+    c.swap(b);
+    EXPECT_EQ(c.download(), counting(3));
+    EXPECT_EQ(b.download(), counting(10));
+    EXPECT_EQ(deviceCounters().bytes, bytes);
+}
+
+TEST(Buffer, CountsItsMemoryAndGivesItBack)
+{
+    const std::size_t before = deviceCounters().bytes;
+    {
+        Buffer<double> buffer(1000);
+        EXPECT_EQ(deviceCounters().bytes, before + 8000);
+        EXPECT_GE(deviceCounters().peakBytes, before + 8000);
+        buffer.resize(10);                      // memory only ever grows
+        EXPECT_EQ(deviceCounters().bytes, before + 8000);
+    }
+    EXPECT_EQ(deviceCounters().bytes, before);
+}
+
+// A number that changes a little every step must not allocate every step.
+TEST(Buffer, HasRoomForAQuarterMoreWhenItDiscards)
+{
+    Buffer<int> buffer;
+    buffer.resizeDiscarding(1000);
+    const std::size_t bytes = deviceCounters().bytes;
+    for (int n : {1001, 10, 1250, 0, 1100})
+    {
+        buffer.resizeDiscarding(n);
+        EXPECT_EQ(buffer.size(), n);
+    }
+    EXPECT_EQ(deviceCounters().bytes, bytes);
+    buffer.resizeDiscarding(1251);
+    EXPECT_GT(deviceCounters().bytes, bytes);
+}

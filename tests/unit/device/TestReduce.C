@@ -1,0 +1,89 @@
+#include "device/Reduce.H"
+#include "support/PointSets.H"
+#include "support/Threads.H"
+
+#include <gtest/gtest.h>
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+struct LongSum
+{
+    long value = 0;
+    HOST_DEVICE void add(const LongSum& other) { value += other.value; }
+};
+
+struct Squares
+{
+    HOST_DEVICE LongSum operator()(int i) const { return {long(i) * i}; }
+};
+
+struct FloatSum
+{
+    float value = 0;
+    HOST_DEVICE void add(const FloatSum& other) { value += other.value; }
+};
+
+struct ReadFloat
+{
+    Span<const float> values;
+    HOST_DEVICE FloatSum operator()(int i) const { return {values[i]}; }
+};
+
+// The order that device/Reduce.H fixes, one addition after the other.
+std::vector<float> foldLanes(const std::vector<float>& values, int lanes)
+{
+    const int n = int(values.size()), share = (n + lanes - 1) / lanes;
+    std::vector<float> sums(lanes, 0);
+    for (int c = 0; c < lanes; ++c)
+    {
+        for (int k = 0; k < share; ++k)
+        {
+            const int i = device::interleave > 1 ? c + k * lanes : c * share + k;
+            if (i < n) sums[c] += values[i];
+        }
+    }
+    return sums;
+}
+
+}
+
+// Integers do not round: the sum is exact, whatever the number of lanes leaves over.
+TEST(Reduce, SumsIntegersExactly)
+{
+    Buffer<LongSum> scratch;
+    for (const long n : {0L, 1L, 63L, 64L, 4095L, 4096L, 4097L, 100003L})
+    {
+        EXPECT_EQ(reduce(int(n), Squares{}, scratch).value, (n - 1) * n * (2 * n - 1) / 6) << "n = " << n;
+    }
+}
+
+// Floats of very different size, whose sum depends on the order of additions: same bits on any number of threads.
+TEST(Reduce, GivesTheSameBitsOnAnyNumberOfThreads)
+{
+    RandomNumbers random(7);
+    std::vector<float> values(20011);
+    for (float& v : values) v = std::exp(random(-12, 12)) * (random(0, 1) < 0.5f ? -1.0f : 1.0f);
+    float expected = 0;
+    for (const float part : foldLanes(foldLanes(values, 4096), 64)) expected += part;
+
+    const Buffer<float> buffer(values);
+    Buffer<FloatSum> scratch;
+    for (const int threads : {1, 2, 3, 7})
+    {
+        const UseThreads use(threads);
+        EXPECT_EQ(reduce(buffer.size(), ReadFloat{buffer.span()}, scratch).value, expected) << threads << " threads";
+    }
+}
+
+TEST(Reduce, KeepsItsScratchMemory)
+{
+    Buffer<LongSum> scratch;
+    reduce(1000, Squares{}, scratch);
+    const std::size_t bytes = deviceCounters().bytes;
+    reduce(1000000, Squares{}, scratch);
+    EXPECT_EQ(deviceCounters().bytes, bytes);
+}

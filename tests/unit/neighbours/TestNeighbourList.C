@@ -1,0 +1,147 @@
+// The neighbour lists against all pairs.
+
+#include "neighbours/NeighbourList.H"
+
+#include "device/Gather.H"
+#include "support/BruteForce.H"
+#include "support/PointSets.H"
+#include "support/Threads.H"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+constexpr float support = 1.3f;
+
+// Sorts `sources` by cell as every caller does, and lists their neighbours by the numbers they had before.
+std::vector<std::vector<int>> neighboursOf(const std::vector<Vec3>& points, const std::vector<Vec3>& sources, bool sameSet)
+{
+    const Buffer<Vec3> unsorted(sources);
+    CellGrid grid(support);
+    const std::vector<std::uint32_t> order = grid.build(unsorted.span(), unsorted.size()).download();
+    Buffer<Vec3> sorted;
+    gather(unsorted, Buffer<std::uint32_t>(order), sorted);
+    Buffer<Vec3> targets(points);
+    if (sameSet) gather(unsorted, Buffer<std::uint32_t>(order), targets);
+
+    NeighbourList list(support);
+    list.build(targets.span(), targets.size(), grid, sorted.span(), sameSet);
+
+    // Entry k of particle i stands at start[i/s] + k s + i mod s.
+    const NeighbourView view = list.view();
+    const auto start = download(view.start), count = download(view.count), index = download(view.index);
+    constexpr int s = device::interleave;
+    std::vector<std::vector<int>> lists(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        auto& mine = lists[sameSet ? order[i] : i];
+        for (std::uint32_t k = 0; k < count[i]; ++k) mine.push_back(int(order[index[start[i / s] + k * s + i % s]]));
+    }
+    return lists;
+}
+
+void expectAllPairs(const std::vector<Vec3>& points)
+{
+    EXPECT_TRUE(agreesWithAllPairs(neighboursOf(points, points, true), points, points, support, true));
+}
+
+std::vector<Vec3> shifted(std::vector<Vec3> points, Vec3 by)
+{
+    for (Vec3& p : points) p += by;
+    return points;
+}
+
+}
+
+TEST(NeighbourList, FindsAllPairsOfRandomPoints)
+{
+    expectAllPairs(randomPoints(3000, {0, 0, 0}, {10, 10, 10}));
+}
+
+TEST(NeighbourList, FindsAllPairsAtNegativeCoordinates)
+{
+    expectAllPairs(randomPoints(2000, {-9, -7, -3}, {2, 1, 4}));
+    expectAllPairs(randomPoints(1000, {-60, -60, -60}, {-53, -53, -53}));
+}
+
+TEST(NeighbourList, FindsAllPairsFarFromTheOrigin)
+{
+    expectAllPairs(randomPoints(1000, {3000, -4000, 5000}, {3007, -3993, 5007}));
+}
+
+// Borders belong to the cell above them; a pair at the support exactly is none (support2 is not reached).
+TEST(NeighbourList, FindsAllPairsOfPointsOnCellBorders)
+{
+    expectAllPairs(latticeBlock(9, 9, 9, support, {-4 * support, -4 * support, -4 * support}));
+    expectAllPairs(latticeBlock(12, 12, 12, support / 2, {-3 * support, -3 * support, -3 * support}));
+}
+
+// Fewer particles than cells, and than the 27 cells around one.
+TEST(NeighbourList, FindsAllPairsOfTinySets)
+{
+    expectAllPairs({});
+    expectAllPairs({{-0.1f, 5, 3}});
+    expectAllPairs({{0, 0, 0}, {1, 0.5f, 0.5f}});
+    expectAllPairs({{0, 0, 0}, {100, 0, 0}});
+    expectAllPairs({{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1.25f}});
+}
+
+TEST(NeighbourList, FindsAllPairsOfAThinFilm)
+{
+    expectAllPairs(latticeBlock(70, 50, 1, 0.5f, {-20, -10, 0.01f}));
+}
+
+TEST(NeighbourList, ListsPointsAtTheSamePlace)
+{
+    expectAllPairs({{0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f}});
+}
+
+// The grid wraps around after a power of two of cells; 2^12 cells is a multiple of any such period here.
+TEST(NeighbourList, TellsClustersApartThatShareTheirCells)
+{
+    const auto cluster = randomPoints(300, {0, 0, 0}, {4, 4, 4});
+    auto points = cluster;
+    const float period = 4096 * support;
+    for (const Vec3 by : {Vec3{period, 0, 0}, Vec3{0, -period, 0}, Vec3{0, 0, period}})
+    {
+        const auto copy = shifted(cluster, by);
+        points.insert(points.end(), copy.begin(), copy.end());
+    }
+    expectAllPairs(points);
+}
+
+TEST(NeighbourList, FindsPairsOfTwoSets)
+{
+    const auto liquid = randomPoints(700, {-3, -3, 0}, {3, 3, 3}, 1);
+    const auto solid = latticeBlock(17, 17, 1, 0.5f, {-4, -4, -0.25f});
+    EXPECT_TRUE(agreesWithAllPairs(neighboursOf(liquid, solid, false), liquid, solid, support, false));
+    // A point of one set is a neighbour of the same place in the other.
+    EXPECT_TRUE(agreesWithAllPairs(neighboursOf(solid, solid, false), solid, solid, support, false));
+    EXPECT_TRUE(agreesWithAllPairs(neighboursOf(liquid, {}, false), liquid, {}, support, false));
+}
+
+// The order of a list decides the order of a sum: it must not depend on the threads.
+TEST(NeighbourList, ListsInTheSameOrderOnAnyNumberOfThreads)
+{
+    const auto points = randomPoints(2000, {-4, -4, -4}, {4, 4, 4});
+    const auto expected = neighboursOf(points, points, true);
+    for (const int threads : {1, 3})
+    {
+        const UseThreads use(threads);
+        EXPECT_EQ(neighboursOf(points, points, true), expected);
+    }
+}
+
+TEST(NeighbourView, WithoutAListHasNoNeighbours)
+{
+    const NeighbourView none;
+    int visits = 0;
+    none.forEach(3, [&](int) { ++visits; });
+    EXPECT_EQ(visits, 0);
+}
