@@ -7,7 +7,7 @@ FunctionObjects::FunctionObjects(const Time& time, bool enabled) : time_(time)
 {
     const Dictionary functions = time.controlDict().subDictOrEmpty("functions");
     if (!enabled) return;
-    for (const std::string& name : functions.keys())
+    for (const std::string& name : functions.dictKeys())
     {
         const Dictionary dict = functions.subDict(name);
         objects_.push_back(FunctionObjectTable::New

@@ -168,7 +168,7 @@ std::string typeName(AnalyticSurface::Type type)
 std::vector<AnalyticSurface> readAnalyticSurfaces(const Dictionary& walls)
 {
     std::vector<AnalyticSurface> surfaces;
-    for (const std::string& name : walls.keys())
+    for (const std::string& name : walls.dictKeys())
     {
         const Dictionary wall = walls.subDict(name);
         const std::string type = wall.lookupChoice("type", {"particles", "plane", "sphere", "cylinder", "box"});

@@ -3,9 +3,12 @@
 #include "core/fieldFile/FieldFile.H"
 #include "core/time/Time.H"
 #include "geometry/AnalyticSurface.H"
+#include "geometry/NearestPoint.H"
+#include "geometry/SolidParticles.H"
 #include "particles/ParticleFiles.H"
 
 #include <cmath>
+#include <sstream>
 
 namespace shizuku
 {
@@ -13,7 +16,15 @@ namespace shizuku
 namespace
 {
 
-constexpr double degree = 3.14159265358979323846 / 180;
+// theta in degrees
+float cosineOf(double theta, const SourceLocation& where)
+{
+    constexpr double degree = 3.14159265358979323846 / 180;
+    if (theta >= 0 && theta <= 180) return float(std::cos(theta * degree));
+    std::ostringstream text;
+    text << "A contact angle of " << theta << " degrees";
+    throw FatalInputError(where, text.str(), "0 to 180 degrees");
+}
 
 Vec3 scaled(const Vector3& v, double unit)
 {
@@ -83,9 +94,9 @@ Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liqu
 :
     case_(casePath), startTime_(startTime), dict_(Dictionary::read(casePath / "constant/walls"))
 {
-    for (const std::string& name : dict_.keys())
+    for (const std::string& name : dict_.dictKeys())
     {
-        sampled_ = sampled_ || (dict_.isDict(name) && dict_.subDict(name).lookup<std::string>("type") == "particles");
+        sampled_ = sampled_ || dict_.subDict(name).lookup<std::string>("type") == "particles";
     }
     for (const AnalyticSurface& surface : readAnalyticSurfaces(dict_))
     {
@@ -167,10 +178,11 @@ void Walls::requireContactAngles()
                 "run sampleTheta first"
             );
         }
-        const FieldData theta = readField(folder / "solid/theta", FieldType::scalar, dimensions::none, solid_.all());
+        const auto file = folder / "solid/theta";
+        const FieldData theta = readField(file, FieldType::scalar, dimensions::none, solid_.all());
         const auto order = order_.download();
         std::vector<float> cosines(solid_.all());
-        for (int k = 0; k < solid_.all(); ++k) cosines[k] = float(std::cos(theta(order[k]) * degree));
+        for (int k = 0; k < solid_.all(); ++k) cosines[k] = cosineOf(theta(order[k]), {file.string(), 0});
         cosTheta_->upload(cosines);
     }
     if (surfaces_.count > 0)
@@ -179,15 +191,7 @@ void Walls::requireContactAngles()
         for (int a = 0; a < surfaces_.count; ++a)
         {
             const Dictionary wall = wettability.subDict(surfaceNames_[a]);
-            const double theta = wall.lookup<double>("theta");
-            if (!(theta >= 0 && theta <= 180))
-            {
-                throw FatalInputError
-                (
-                    wall.where("theta"), "A contact angle of " + std::to_string(theta) + " degrees", "0 to 180 degrees"
-                );
-            }
-            surfaces_.surface[a].cosTheta = float(std::cos(theta * degree));
+            surfaces_.surface[a].cosTheta = cosineOf(wall.lookup<double>("theta"), wall.where("theta"));
         }
     }
 }
@@ -207,25 +211,40 @@ void Walls::project(Liquid& liquid) const
 
 void Walls::refuseLiquidInside(const Liquid& liquid) const
 {
-    if (surfaces_.count == 0) return;
     const auto positions = liquid.position.download();
+    const auto refuse = [&](int i, const std::string& wall, const SourceLocation& where)
+    {
+        const Vec3 x = positions[i];
+        const double unit = liquid.units().length;
+        throw FatalInputError
+        (
+            where, "Liquid particle " + std::to_string(i) + " at " + str(Vector3(x.x * unit, x.y * unit, x.z * unit))
+          + " m is inside the solid '" + wall + "', or too near to it",
+            "liquid half a spacing outside of every wall"
+        );
+    };
     for (int i = 0; i < liquid.owned(); ++i)
     {
         for (int a = 0; a < surfaces_.count; ++a)
         {
             const float distance = surfaces_.surface[a](positions[i]).distance;
-            if (distance < 0.25f * liquid.spacing())
-            {
-                throw FatalInputError
-                (
-                    dict_.where(surfaceNames_[a]),
-                    "Liquid particle " + std::to_string(i) + " lies inside the solid '" + surfaceNames_[a]
-                  + "' or nearer than a quarter of a spacing to it: distance "
-                  + std::to_string(liquid.units().toSI(distance, dimensions::length)) + " m",
-                    "liquid half a spacing outside of every wall"
-                );
-            }
+            if (distance < 0.25f * liquid.spacing()) refuse(i, surfaceNames_[a], dict_.where(surfaceNames_[a]));
         }
+    }
+    if (solid_.all() == 0) return;
+
+    const SolidParticles solid = readSolidParticles(case_);
+    const NearestPoint nearest(solid.positions);
+    const double d = liquid.properties().spacing;
+    for (int i = 0; i < liquid.owned(); ++i)
+    {
+        const Vector3 x(positions[i].x, positions[i].y, positions[i].z);
+        const std::size_t k = nearest(liquid.units().length * x);
+        const Vector3 r = liquid.units().length * x - solid.positions[k];
+        const double height = dot(r, solid.normals[k]);
+        // Behind the layer; but not beside its border, where the nearest particle is far off to one side.
+        const bool behind = height < 0 && squaredLength(r) - height * height < d * d;
+        if (behind || squaredLength(r) < 0.25 * d * d) refuse(i, solid.patches[solid.patch[k]], dict_.where());
     }
 }
 

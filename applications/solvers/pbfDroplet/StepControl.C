@@ -1,7 +1,7 @@
 #include "StepControl.H"
 
 #include <cmath>
-#include <limits>
+#include <sstream>
 
 namespace shizuku
 {
@@ -12,15 +12,7 @@ StepControl::StepControl(const Dictionary& controlDict)
     maxCo_(controlDict.lookupOr("maxCo", 0.5)),
     maxCapillaryCo_(controlDict.lookupOr("maxCapillaryCo", 0.3)),
     maxSubSteps_(controlDict.lookupOr("maxSubSteps", 1000))
-{
-    const auto refuse = [&](const std::string& key, bool wrong)
-    {
-        if (wrong) throw FatalInputError(controlDict.where(key), "Entry '" + key + "' is not positive", "a positive number");
-    };
-    refuse("maxCo", !(maxCo_ > 0));
-    refuse("maxCapillaryCo", !(maxCapillaryCo_ > 0));
-    refuse("maxSubSteps", maxSubSteps_ < 1);
-}
+{}
 
 SubSteps StepControl::divide(double deltaT, double maxSpeed, const Liquid& liquid, const Models& models) const
 {
@@ -48,15 +40,12 @@ SubSteps StepControl::divide(double deltaT, double maxSpeed, const Liquid& liqui
     const double count = std::ceil(deltaT / steps.dt * (1 - 1e-9));
     if (!(count <= maxSubSteps_))
     {
-        throw FatalError
-        (
-            "The step of " + std::to_string(deltaT) + " s would need " + std::to_string(count) + " sub-steps ("
-          + steps.limit + " limit), more than maxSubSteps " + std::to_string(maxSubSteps_) + ".\n    "
-          + (steps.limit == "Courant"
-                ? "The liquid moves at up to " + std::to_string(maxSpeed) + " m/s: the run may be diverging. "
-                : std::string())
-          + "Reduce deltaT, or raise maxSubSteps in system/controlDict."
-        );
+        std::ostringstream text;
+        text << "The step of " << deltaT << " s would need " << count << " sub-steps (" << steps.limit
+             << " limit), more than maxSubSteps " << maxSubSteps_ << ".\n    The liquid moves at up to " << maxSpeed
+             << " m/s; where that is absurd, the run is diverging.\n"
+             << "    Reduce deltaT, or raise maxSubSteps in system/controlDict.";
+        throw FatalError(text.str());
     }
     steps.count = std::max(1, int(count));
     steps.dt = deltaT / steps.count;

@@ -3,6 +3,7 @@
 #include "core/arguments/runApplication.H"
 
 #include <iostream>
+#include <sstream>
 
 namespace shizuku
 {
@@ -20,16 +21,30 @@ void reportStep(const Time& time, const SubSteps& steps, const Models& models, c
         << executionTime() << std::endl;
 }
 
-void refuseDivergence(const Time& time, const LiquidState& state, const std::string& lastWritten)
+void refuseDivergence
+(
+    const Time& time, const SubSteps& steps, double spacing, const LiquidState& state, const std::string& lastWritten
+)
 {
-    if (state.nonFinite == 0) return;
-    throw FatalError
-    (
-        "The run diverged at time " + time.name() + " s: the position or velocity of "
-      + std::to_string(state.nonFinite) + " particles is not a finite number.\n    The last good state is kept in "
-      + lastWritten + ".\n    Try a smaller deltaT, maxCo or maxCapillaryCo in system/controlDict,"
-        " or more iterations in system/solution."
-    );
+    constexpr double mostSpacings = 10;
+    const double moved = state.maxSpeed * steps.dt / spacing;
+    if (state.nonFinite == 0 && moved <= mostSpacings) return;
+
+    std::ostringstream text;
+    text << "The run diverged at time " << time.name() << " s: ";
+    if (state.nonFinite > 0)
+    {
+        text << "the position or velocity of " << state.nonFinite << " particles is not a finite number.";
+    }
+    else
+    {
+        text << "a particle moves at " << state.maxSpeed << " m/s, by " << moved << " particle spacings in one step of "
+             << steps.dt << " s.";
+    }
+    text << "\n    The last good state is kept in " << lastWritten
+         << ".\n    Try a smaller deltaT, maxCo or maxCapillaryCo or adjustTimeStep yes in system/controlDict,"
+            " or more iterations in system/solution.";
+    throw FatalError(text.str());
 }
 
 }

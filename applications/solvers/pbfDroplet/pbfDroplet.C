@@ -37,11 +37,10 @@ void pbfDroplet(const Arguments& args)
     liquidDict.refuseUnused();
 
     liquid.read(time.path());
-    walls.refuseLiquidInside(liquid);
+    if (time.index() == 0) walls.refuseLiquidInside(liquid);
     Neighbourhood near(liquid);
     LiquidStateMeter meter;
     LiquidState state = meter.measure(liquid);
-    refuseDivergence(time, state, time.path());
     std::cout << "Liquid particles " << liquid.owned() << ", solid particles " << walls.particles()
               << ", analytic surfaces " << walls.surfaces() << std::endl;
 
@@ -79,7 +78,7 @@ void pbfDroplet(const Arguments& args)
 
         if (time.reportDue()) computeDensity(liquid, near, walls);
         state = meter.measure(liquid);
-        refuseDivergence(time, state, lastWritten);
+        refuseDivergence(time, steps, liquid.properties().spacing, state, lastWritten);
         functions.execute(state);
 
         if (time.reportDue()) reportStep(time, steps, models, state);

@@ -75,6 +75,13 @@ std::vector<std::string> Dictionary::keys() const
     return result;
 }
 
+std::vector<std::string> Dictionary::dictKeys() const
+{
+    std::vector<std::string> result = keys();
+    std::erase_if(result, [this](const std::string& key) { return !isDict(key); });
+    return result;
+}
+
 SourceLocation Dictionary::where(const std::string& key) const
 {
     const Tree* entry = findEntry(*node_->tree, key);

@@ -46,7 +46,7 @@ std::vector<double> thetaField
 {
     std::vector<std::string> names = solid.patches;
     for (const AnalyticSurface& wall : walls) names.push_back(wall.name);
-    for (const std::string& keyword : wettability.keys())
+    for (const std::string& keyword : wettability.dictKeys())
     {
         if (!meansAnyOf(keyword, names))
         {

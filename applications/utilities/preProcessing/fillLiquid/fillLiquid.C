@@ -37,7 +37,7 @@ std::vector<FilledBody> readBodies(const Dictionary& fillLiquidDict, double spac
 {
     const Dictionary bodies = fillLiquidDict.subDict("bodies");
     std::vector<FilledBody> result;
-    for (const std::string& name : bodies.keys()) result.push_back(readBody(bodies, name, spacing));
+    for (const std::string& name : bodies.dictKeys()) result.push_back(readBody(bodies, name, spacing));
     if (result.empty())
     {
         throw FatalInputError(bodies.where(), "There is no body of liquid", "drop { type sphere; ... }");

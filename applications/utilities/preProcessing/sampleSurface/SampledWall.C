@@ -7,7 +7,7 @@ std::vector<SampledWall> readSampledWalls(const std::filesystem::path& casePath)
 {
     const Dictionary walls = Dictionary::read(casePath/"constant"/"walls");
     std::vector<SampledWall> result;
-    for (const std::string& name : walls.keys())
+    for (const std::string& name : walls.dictKeys())
     {
         const Dictionary wall = walls.subDict(name);
         const std::string type = wall.lookupChoice("type", {"particles", "plane", "sphere", "cylinder", "box"});

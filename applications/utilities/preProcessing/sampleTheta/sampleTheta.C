@@ -19,7 +19,7 @@ const ApplicationInfo info
 
 bool haveSampledWall(const Dictionary& walls)
 {
-    const std::vector<std::string> names = walls.keys();
+    const std::vector<std::string> names = walls.dictKeys();
     return std::any_of(names.begin(), names.end(), [&](const std::string& name)
     {
         return walls.subDict(name).lookupOr<std::string>("type", "") == "particles";
