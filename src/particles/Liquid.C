@@ -53,11 +53,12 @@ Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)
         [this](const auto& W) { return shizuku::latticeSum(spacing_, W.h, [&](float r) { return W.W(r); }); }, kernel_
     ))
 {
-    if (!(supportOf(kernel_) > spacing_))
+    const double support = kernelDict.lookupOr("support", 2.0);
+    if (!(support >= 1.5 && support <= 4))
     {
         throw FatalInputError
         (
-            kernelDict.where("support"), "The kernel's support is not larger than the particle spacing",
+            kernelDict.where("support"), "The kernel's support is out of range",
             "a number of spacings between 1.5 and 4"
         );
     }
@@ -65,7 +66,14 @@ Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)
 
 void Liquid::read(const std::filesystem::path& timeFolder)
 {
-    readParticles(*this, units_, timeFolder / name());
+    const auto folder = timeFolder / name();
+    const auto refuse = [&](const std::string& reason)
+    {
+        throw FatalInputError({folder.string(), 0}, "There is no liquid: " + reason, "run fillLiquid first");
+    };
+    if (!std::filesystem::exists(folder / "positions")) refuse("the file positions is missing");
+    readParticles(*this, units_, folder);
+    if (owned() == 0) refuse("the list of positions is empty");
 }
 
 }

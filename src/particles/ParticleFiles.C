@@ -1,6 +1,10 @@
 #include "particles/ParticleFiles.H"
 
+#include "core/messages/Error.H"
+
+#include <cmath>
 #include <numeric>
+#include <sstream>
 
 namespace shizuku
 {
@@ -15,9 +19,17 @@ FieldType typeOf(const AnyBuffer& values)
     return FieldType::label;
 }
 
-void upload(AnyBuffer& values, const FieldData& data, int n, double unit)
+void upload(AnyBuffer& values, const FieldData& data, const std::filesystem::path& file, int n, double unit)
 {
-    const auto scaled = [&](int i, int c = 0) { return float(data(i, c) / unit); };
+    constexpr double most = 1e15;       // scaled; its square is a float still
+    const auto scaled = [&](int i, int c = 0)
+    {
+        const double value = data(i, c) / unit;
+        if (std::abs(value) < most) return float(value);
+        std::ostringstream text;
+        text << "The value " << data(i, c) << " of element " << i << " is too large";
+        throw FatalInputError({file.string(), 0}, text.str(), "SI values of a particle");
+    };
     if (auto* scalars = std::get_if<Buffer<float>>(&values))
     {
         std::vector<float> host(n);
@@ -75,6 +87,14 @@ void numberParticles(AnyBuffer& values, int n)
 void readParticles(ParticleSet& particles, const Units& units, const std::filesystem::path& folder)
 {
     const FieldData positions = readField(folder / "positions", FieldType::vector, dimensions::length);
+    if (positions.uniform)
+    {
+        throw FatalInputError
+        (
+            {(folder / "positions").string(), 0}, "All particles are at the same place: the field is uniform",
+            "internalField nonuniform List<vector> ..., one position a particle"
+        );
+    }
     const int n = int(positions.elements());
     particles.resize(n);
     for (const auto& entry : particles.fields().entries())
@@ -82,19 +102,14 @@ void readParticles(ParticleSet& particles, const Units& units, const std::filesy
         const FieldInfo& info = entry->info;
         if (!info.restarted) continue;
         const auto file = folder / info.name;
-        const bool optional = info.name != "U";
-        if (info.name == "positions")
-        {
-            upload(entry->values, positions, n, units.of(info.dimensions));
-        }
-        else if (!optional || std::filesystem::exists(file))
-        {
-            upload(entry->values, readField(file, typeOf(entry->values), info.dimensions, n), n, units.of(info.dimensions));
-        }
-        else if (info.name == "id")
+        if (info.name == "id" && !std::filesystem::exists(file))
         {
             numberParticles(entry->values, n);
+            continue;
         }
+        const FieldData data =
+            info.name == "positions" ? positions : readField(file, typeOf(entry->values), info.dimensions, n);
+        upload(entry->values, data, file, n, units.of(info.dimensions));
     }
 }
 

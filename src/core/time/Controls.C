@@ -92,6 +92,7 @@ void checkStepControl(const Dictionary& dict)
     {
         if (dict.found(key)) dict.lookupPositive(key, dimensions::none);
     }
+    readInteger(dict, "maxSubSteps", 1, 1, std::numeric_limits<int>::max());
 }
 
 void leaveToOthers(const Dictionary& dict)

@@ -76,7 +76,6 @@ Time::Time(const fs::path& casePath)
     : case_(casePath), stamp_(controlStamp()), dict_(Dictionary::read(controlFile())),
       controls_(readControls(Dictionary::read(controlFile()))), pace_("Time")
 {
-    removePartialFolders(case_);
     const TimeFolder folder = findStart(case_, controls_, dict_);
     startFolder_ = folder.path;
     checkEnd(controls_, dict_, folder.value);
@@ -118,7 +117,11 @@ bool Time::running() const
 
 void Time::advance()
 {
-    if (state_.index == start_.index) pace_ = Progress("Time");
+    if (state_.index == start_.index)
+    {
+        removePartialFolders(case_);
+        pace_ = Progress("Time");
+    }
     ++state_.index;
     state_.value = state_.at(state_.index);
 }

@@ -1,13 +1,13 @@
 // The executable of a device application: opens the module of the backend that -device asks for.
 //
 // -device auto takes CUDA where a GPU and the module are there, the CPU otherwise. The module does all the
-// rest; this file only reads the one option.
+// rest; this file only reads the one option, in the forms that core/arguments takes it.
 
 #include "core/messages/Error.H"
 
 #include <dlfcn.h>
 
-#include <cstring>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -21,11 +21,16 @@ namespace
 
 using EntryPoint = int (*)(int, char**);
 
+// The word behind -device or --device, or glued to it by '='.
 std::string deviceOption(int argc, char** argv)
 {
-    for (int i = 1; i + 1 < argc; ++i)
+    const std::string name = "-device";
+    for (int i = 1; i < argc; ++i)
     {
-        if (!std::strcmp(argv[i], "-device")) return argv[i + 1];
+        std::string token = argv[i];
+        if (token.starts_with("--")) token.erase(0, 1);
+        if (token == name && i + 1 < argc) return argv[i + 1];
+        if (token.starts_with(name + "=")) return token.substr(name.size() + 1);
     }
     return "auto";
 }
@@ -54,18 +59,11 @@ bool gpuAnswers()
 
 void* openFor(const std::string& device)
 {
-    if (device == "auto")
-    {
-        if (gpuAnswers() && fs::exists(modulePath("cuda"))) return openFor("cuda");
-        return openFor("cpu");
-    }
+    // What is no device at all is refused by the application, like every wrong option.
     if (device != "cuda" && device != "cpu")
     {
-        throw FatalInputError
-        (
-            {"command line", 0}, "Unknown device '" + device + "'", "one of the devices below",
-            {"auto", "cpu", "cuda"}, device
-        );
+        const bool gpu = device == "auto" && fs::exists(modulePath("cuda")) && gpuAnswers();
+        return openFor(gpu ? "cuda" : "cpu");
     }
     if (!fs::exists(modulePath(device)))
     {
@@ -92,7 +90,7 @@ int main(int argc, char** argv)
     }
     catch (const FatalError& error)
     {
-        std::cerr << "\n--> FATAL ERROR: " << error.what() << "\n\n";
-        return 1;
+        std::cerr << "\n--> FATAL ERROR:\n" << error.what() << "\n\n" SHIZUKU_APPLICATION ": stopped\n";
+        return EXIT_FAILURE;
     }
 }
