@@ -1,5 +1,6 @@
 #include "surface/MarchingCubesTable.H"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace shizuku
@@ -51,6 +52,30 @@ std::array<int, cellEdges> contourOf(int inside)
     return next;
 }
 
+bool shareFace(int edge, int other)
+{
+    const auto [a, b] = cornersOfEdge(edge);
+    const auto [c, d] = cornersOfEdge(other);
+    const int bitsOfAll = a & b & c & d, bitsOfAny = a | b | c | d;
+    return (bitsOfAll | (7 & ~bitsOfAny)) != 0;
+}
+
+// The place in the loop from which a fan has no side within a face of the cell, but for the loop's own. The neighbour's
+// fan might have the same side there: four triangles would meet in it.
+std::size_t fanApex(const std::vector<int>& loop)
+{
+    for (std::size_t apex = 0; apex < loop.size(); ++apex)
+    {
+        bool free = true;
+        for (std::size_t k = 2; k + 1 < loop.size(); ++k)
+        {
+            free = free && !shareFace(loop[apex], loop[(apex + k) % loop.size()]);
+        }
+        if (free) return apex;
+    }
+    throw std::logic_error("marching cubes: a loop has no fan inside of the cell");
+}
+
 }
 
 std::array<int, 2> cornersOfEdge(int edge)
@@ -78,6 +103,7 @@ MarchingCubesTable makeMarchingCubesTable()
                 next[e] = -1;
                 e = following;
             }
+            std::rotate(loop.begin(), loop.begin() + fanApex(loop), loop.end());
             for (std::size_t k = 2; k < loop.size(); ++k)
             {
                 if (count == MarchingCubesTable::mostTriangles) throw std::logic_error("marching cubes: too many triangles");

@@ -1,0 +1,98 @@
+#include "particles/ParticleFiles.H"
+
+#include "support/LiquidCase.H"
+
+#include <bit>
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+// Floats of many sizes and signs: what 9 digits must bring back.
+std::vector<Vec3> awkwardVectors(int n, unsigned seed)
+{
+    RandomNumbers random(seed);
+    const auto number = [&] { return std::exp(random(-15, 8)) * random(-1, 1); };
+    std::vector<Vec3> vectors(n);
+    for (Vec3& v : vectors)
+    {
+        v.x = number();
+        v.y = number();
+        v.z = number();
+    }
+    return vectors;
+}
+
+std::vector<std::uint32_t> bitsOf(const std::vector<Vec3>& vectors)
+{
+    std::vector<std::uint32_t> bits;
+    for (const Vec3& v : vectors)
+    {
+        for (const float c : {v.x, v.y, v.z}) bits.push_back(std::bit_cast<std::uint32_t>(c));
+    }
+    return bits;
+}
+
+}
+
+TEST(ParticleFiles, ReturnEveryBitInAsciiWithNineDigitsAndInBinary)
+{
+    constexpr int n = 500;
+    LiquidCase original;
+    original.liquid.resize(n);
+    original.liquid.position.upload(awkwardVectors(n, 1));
+    original.liquid.velocity.upload(awkwardVectors(n, 2));
+    std::vector<std::uint32_t> id(n);
+    for (int i = 0; i < n; ++i) id[i] = std::uint32_t(7919 * i % 500);
+    original.liquid.id.upload(id);
+
+    for (const bool binary : {false, true})
+    {
+        SCOPED_TRACE(binary ? "binary" : "ascii");
+        const auto time = original.folder.path() / (binary ? "1" : "2");
+        std::filesystem::create_directories(time / "liquid");
+        writeParticles(original.liquid, original.liquid.units(), time / "liquid", {.binary = binary, .precision = 9});
+
+        Liquid copy(original.liquid.properties(), Dictionary());
+        copy.read(time);
+        EXPECT_EQ(copy.owned(), n);
+        EXPECT_EQ(bitsOf(copy.position.download()), bitsOf(original.liquid.position.download()));
+        EXPECT_EQ(bitsOf(copy.velocity.download()), bitsOf(original.liquid.velocity.download()));
+        EXPECT_EQ(copy.id.download(), id);
+    }
+    EXPECT_EQ(original.folder.list("1/liquid"), (std::vector<std::string>{"U", "densityRatio", "id", "positions"}));
+}
+
+TEST(ParticleFiles, HoldSIValuesOfOwnedParticles)
+{
+    LiquidCase drop;
+    drop.liquid.resize(2, 1);
+    drop.liquid.position.upload({{1, 0, 0}, {0, -3, 0}, {9, 9, 9}});
+    std::filesystem::create_directories(drop.folder.path() / "1/liquid");
+    writeParticles(drop.liquid, drop.liquid.units(), drop.folder.path() / "1/liquid", {});
+    const FieldData positions = readField(drop.folder.path() / "1/liquid/positions", FieldType::vector, dimensions::length);
+    ASSERT_EQ(positions.elements(), 2u);
+    EXPECT_EQ(positions(0, 0), drop.liquid.units().length);         // powers of two, short enough for nine digits
+    EXPECT_EQ(positions(1, 1), -3 * drop.liquid.units().length);
+}
+
+TEST(ParticleFiles, NumberParticlesThatHaveNoId)
+{
+    LiquidCase drop;
+    const FieldData vectors{.name = "positions", .type = FieldType::vector, .dimensions = dimensions::length,
+                            .values = {1e-3, 0, 0, 2e-3, 0, 0, 3e-3, 0, 0}};
+    FieldData speeds = vectors;
+    speeds.name = "U";
+    speeds.dimensions = dimensions::velocity;
+    std::filesystem::create_directories(drop.folder.path() / "0/liquid");
+    writeField(drop.folder.path() / "0/liquid/positions", vectors, {});
+    EXPECT_TRUE(holds(messageOf([&] { drop.liquid.read(drop.folder.path() / "0"); }), {"liquid/U"}));
+
+    writeField(drop.folder.path() / "0/liquid/U", speeds, {});
+    drop.liquid.read(drop.folder.path() / "0");
+    EXPECT_EQ(drop.liquid.id.download(), (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(drop.liquid.position.download()[2].x, float(3e-3f / drop.liquid.units().length));
+    EXPECT_EQ(drop.liquid.density.download(), std::vector<float>(3, 0));
+}
