@@ -57,9 +57,21 @@ void writeSolidParticles
     });
 }
 
+bool useSolidParticles(const std::filesystem::path& casePath)
+{
+    const auto file = casePath/"constant/walls";
+    if (!std::filesystem::exists(file)) return true;
+    const Dictionary walls = Dictionary::read(file);
+    const std::vector<std::string> names = walls.dictKeys();
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name)
+    {
+        return walls.subDict(name).lookupOr<std::string>("type", "") == "particles";
+    });
+}
+
 bool haveSolidParticles(const std::filesystem::path& casePath)
 {
-    return std::filesystem::exists(folderOf(casePath));
+    return std::filesystem::exists(folderOf(casePath)) && useSolidParticles(casePath);
 }
 
 SolidParticles readSolidParticles(const std::filesystem::path& casePath)

@@ -3,6 +3,7 @@
 #include "core/fieldFile/FieldFile.H"
 #include "core/time/Time.H"
 #include "geometry/AnalyticSurface.H"
+#include "geometry/SolidParticles.H"
 #include "geometry/NearestPoint.H"
 #include "geometry/SolidParticles.H"
 #include "particles/ParticleFiles.H"
@@ -92,12 +93,9 @@ struct KeepOutside
 
 Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liquid& liquid)
 :
-    case_(casePath), startTime_(startTime), dict_(Dictionary::read(casePath / "constant/walls"))
+    case_(casePath), startTime_(startTime), dict_(Dictionary::read(casePath / "constant/walls")),
+    sampled_(useSolidParticles(casePath))
 {
-    for (const std::string& name : dict_.dictKeys())
-    {
-        sampled_ = sampled_ || dict_.subDict(name).lookup<std::string>("type") == "particles";
-    }
     for (const AnalyticSurface& surface : readAnalyticSurfaces(dict_))
     {
         const double unit = liquid.units().length;

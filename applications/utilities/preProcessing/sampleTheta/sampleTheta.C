@@ -17,15 +17,6 @@ const ApplicationInfo info
     "sampleTheta", "Give every solid particle the contact angle of its patch (constant/wettability to 0/solid/theta).", {}
 };
 
-bool haveSampledWall(const Dictionary& walls)
-{
-    const std::vector<std::string> names = walls.dictKeys();
-    return std::any_of(names.begin(), names.end(), [&](const std::string& name)
-    {
-        return walls.subDict(name).lookupOr<std::string>("type", "") == "particles";
-    });
-}
-
 void report(const SolidParticles& solid, const std::vector<double>& theta)
 {
     for (std::size_t patch = 0; patch < solid.patches.size(); ++patch)
@@ -62,7 +53,7 @@ void run(const Arguments& args)
     const WriteFormat format = readControls(Dictionary::read(casePath/"system"/"controlDict")).format;
     const Dictionary walls = Dictionary::read(casePath/"constant"/"walls");
     const std::vector<AnalyticSurface> analytic = readAnalyticSurfaces(walls);
-    const bool sampled = haveSampledWall(walls);
+    const bool sampled = useSolidParticles(casePath);
     if (!sampled && analytic.empty())
     {
         std::cout << "The case has no walls: there is nothing to do\n";
