@@ -11,6 +11,7 @@
 #include <cstring>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace shizuku
 {
@@ -33,6 +34,27 @@ void makeFolder(const fs::path& folder, const fs::path& wanted)
     fs::create_directories(folder, error);
     if (error) fail(wanted, error.message() + " (folder " + folder.string() + ")");
 }
+
+// The folders that lead to a file. Those that had to be made go again, unless the file came to be.
+class LeadingFolders
+{
+public:
+    LeadingFolders(const fs::path& folder, const fs::path& wanted)
+    {
+        for (fs::path part = folder; !part.empty() && !fs::exists(part); part = part.parent_path()) made_.push_back(part);
+        makeFolder(folder, wanted);
+    }
+    ~LeadingFolders()
+    {
+        std::error_code notEmpty;
+        for (const fs::path& folder : made_) fs::remove(folder, notEmpty);
+    }
+    LeadingFolders(const LeadingFolders&) = delete;
+    LeadingFolders& operator=(const LeadingFolders&) = delete;
+
+private:
+    std::vector<fs::path> made_;        // the innermost one first
+};
 
 fs::path parentOf(const fs::path& path)
 {
@@ -101,7 +123,7 @@ std::string finalName(const std::string& name)
 
 void writeAtomically(const fs::path& file, const std::function<void(std::ostream&)>& write)
 {
-    makeFolder(parentOf(file), file);
+    const LeadingFolders folders(parentOf(file), file);
     if (fs::exists(file) && !fs::is_regular_file(file)) fail(file, "it is there and is not a regular file");
 
     const fs::path temporary = partialPath(file);

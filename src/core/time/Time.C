@@ -3,8 +3,12 @@
 #include "core/fieldFile/AtomicFile.H"
 #include "core/messages/Error.H"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <iostream>
 
 namespace shizuku
@@ -16,6 +20,13 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr double tolerance = 1e-6;      // of deltaT: steps that differ by less fall on the same time
+
+// Before hours of computing, not at the first write.
+void requireWritable(const fs::path& casePath)
+{
+    if (::access(casePath.c_str(), W_OK) == 0) return;
+    throw FatalError("Cannot write to " + casePath.string() + ": " + std::strerror(errno));
+}
 
 void removePartialFolders(const fs::path& casePath)
 {
@@ -119,6 +130,7 @@ void Time::advance()
 {
     if (state_.index == start_.index)
     {
+        requireWritable(case_);
         removePartialFolders(case_);
         pace_ = Progress("Time");
     }

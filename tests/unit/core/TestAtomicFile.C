@@ -70,6 +70,26 @@ TEST(AtomicFile, AFullDiskIsAnErrorWithItsReason)
     EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
+TEST(AtomicFile, AnErrorLeavesNoFolderThatWasMadeForTheFile)
+{
+    const ScratchFolder folder;
+    const auto fails = [](std::ostream&) { throw FatalError("halfway"); };
+    folder.write("kept/file", "");
+    EXPECT_THROW(writeAtomically(folder.path() / "a/b/file", fails), FatalError);
+    EXPECT_THROW(writeAtomically(folder.path() / "kept/b/file", fails), FatalError);
+    EXPECT_EQ(folder.list(), std::vector<std::string>{"kept"});
+    EXPECT_EQ(folder.list("kept"), std::vector<std::string>{"file"});
+}
+
+TEST(AtomicFolder, AFileInItsPlaceIsKept)
+{
+    const ScratchFolder folder;
+    folder.write("0.5", "a file");
+    const auto call = [&] { writeFolderAtomically(folder.path() / "0.5", [](const fs::path&) {}); };
+    EXPECT_TRUE(holds(messageOf<FatalError>(call), {"0.5", "not a folder"}));
+    EXPECT_EQ(folder.read("0.5"), "a file");
+}
+
 TEST(AtomicFile, AnUnwritableFolderIsAnError)
 {
     const ScratchFolder folder;

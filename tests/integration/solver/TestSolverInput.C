@@ -1,0 +1,391 @@
+// Bad input: what is wrong, where it stands, what would be right; and nothing half-written is left.
+
+#include "SolverCase.H"
+
+#include "core/fieldFile/FieldFile.H"
+
+#include <limits>
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+class Input : public SolverCase
+{
+protected:
+    struct Bad
+    {
+        std::string text;                   // of the file
+        std::vector<std::string> parts;     // of the message
+    };
+
+    // Each text in place of the file's own, which comes back behind.
+    void expectRefusals(const std::string& file, const std::vector<Bad>& list) const
+    {
+        const std::string good = read(file);
+        for (const Bad& bad : list)
+        {
+            SCOPED_TRACE(file + ": " + bad.text);
+            write(file, bad.text);
+            std::vector<std::string> parts = bad.parts;
+            parts.push_back("file: " + (path()/file).string());
+            expectRefusal(parts);
+        }
+        write(file, good);
+    }
+
+    void expectMissing(const std::string& file, const std::vector<std::string>& parts) const
+    {
+        SCOPED_TRACE(file);
+        std::filesystem::rename(path()/file, folder_.path()/"aside");
+        expectRefusal(parts);
+        std::filesystem::rename(folder_.path()/"aside", path()/file);
+    }
+
+    static std::string vectors(const std::string& dimensions, const std::string& internalField)
+    {
+        return "FoamFile\n{\n    format ascii;\n    class vectorField;\n}\ndimensions " + dimensions + ";\n"
+             + "internalField " + internalField + ";\n";
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Devices, Input, testing::ValuesIn(devices()));
+
+}
+
+TEST_P(Input, theCaseItselfIsGood)
+{
+    const Outcome outcome = solve();
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+}
+
+TEST_P(Input, missingCase)
+{
+    const Outcome outcome = run(program("pbfDroplet") + " -device " + device() + " -case " + (path()/"absent").string());
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(holds(outcome.text, {"FATAL IO ERROR", "case directory does not exist", "case/absent", "-case DIR"}));
+    expectMissing("system/controlDict", {"not a case", "system/controlDict is missing"});
+    expectMissing("0", {"no time folder"});
+}
+
+TEST_P(Input, missingFiles)
+{
+    expectMissing("system/solution", {"system/solution"});
+    expectMissing("constant/liquidProperties", {"constant/liquidProperties"});
+    expectMissing("constant/models", {"constant/models"});
+    expectMissing("constant/walls", {"constant/walls"});
+    expectMissing("constant/g", {"constant/g"});
+    expectMissing("constant/wettability", {"constant/wettability"});
+    expectMissing("constant/solid", {"constant/solid/positions", "run sampleSurface"});
+    expectMissing("constant/solid/normals", {"missing", "constant/solid/normals"});
+    expectMissing("0/solid/theta", {"solid/theta", "run sampleTheta"});
+    expectMissing("0/liquid", {"no liquid", "0/liquid", "run fillLiquid"});
+    expectMissing("0/liquid/U", {"missing", "0/liquid/U"});
+}
+
+TEST_P(Input, controlDict)
+{
+    const std::string good = "endTime 1;\nwriteInterval 1;\n";
+    expectRefusals
+    (
+        "system/controlDict",
+        {
+            {"endTime 1;\nwriteInterval 1;\n", {"'deltaT' is missing"}},
+            {good + "deltat 1e-3;", {"'deltaT' is missing", "Did you mean 'deltat'"}},
+            {good + "deltaT 1e-3;\nmaxco 1;", {"'maxco'", "line 4", "Did you mean 'maxCo'"}},
+            {good + "deltaT 0;", {"'deltaT' is 0", "line 3", "> 0"}},
+            {good + "deltaT -1e-3;", {"'deltaT' is -0.001", "line 3", "> 0"}},
+            {good + "deltaT soon;", {"'deltaT'", "the word 'soon'", "line 3", "a number"}},
+            {good + "deltaT [0 1 0 0 0 0 0] 1e-3;", {"'deltaT'", "dimensions", "line 3", "[0 0 1 0 0 0 0]"}},
+            {good + "deltaT 1e-3;\nadjustTimeStep maybe;", {"'adjustTimeStep'", "maybe", "line 4", "yes"}},
+            {good + "deltaT 1e-3;\nmaxSubSteps 0;", {"maxSubSteps is 0", "line 4"}},
+            {good + "deltaT 1e-3;\nmaxCo -1;", {"'maxCo' is -1", "line 4"}},
+            {good + "deltaT 1e-3;\nstartFrom latest;", {"'latest'", "line 4", "latestTime", "firstTime"}},
+            {good + "deltaT 1e-3;\nfunctions { a { type liquidStat; } }", {"'liquidStat'", "line 4", "liquidState"}},
+            {good + "deltaT 1e-3;\nfunctions\n{\n    a { type liquidState; interval 2; }\n}", {"'interval'", "line 6"}},
+            {good + "deltaT 1e-3", {"line 3"}},
+        }
+    );
+}
+
+TEST_P(Input, solution)
+{
+    expectRefusals
+    (
+        "system/solution",
+        {
+            {"spacng 1e-3;", {"'spacing' is missing", "Did you mean 'spacng'"}},
+            {"spacing 0;", {"'spacing' is 0", "line 1", "> 0"}},
+            {"\nspacing -1e-3;", {"'spacing' is -0.001", "line 2"}},
+            {"spacing (1 2 3);", {"'spacing'", "a list", "line 1", "a number"}},
+            {"spacing [0 0 1 0 0 0 0] 1e-3;", {"'spacing'", "[0 0 1 0 0 0 0]", "[0 1 0 0 0 0 0]"}},
+            {"spacing 1e-3;\npresure { tolerance 1; }", {"'presure'", "line 2", "Did you mean 'pressure'"}},
+            {"spacing 1e-3;\npressure\n{\n tolerence 1;\n}", {"'tolerence'", "line 4", "Did you mean 'tolerance'"}},
+            {"spacing 1e-3;\npressure { maxIterations 0; }", {"'maxIterations'", "line 2", "1 or more"}},
+            {"spacing 1e-3;\npressure { maxIterations many; }", {"'maxIterations'", "'many'", "line 2", "an integer"}},
+            {"spacing 1e-3;\nkernel { type cubicspline; }", {"'cubicspline'", "line 2", "cubicSpline", "poly6Spiky"}},
+            {"spacing 1e-3;\nkernel { support 40; }", {"support", "line 2", "1.5 and 4"}},
+            {"spacing 1e-3;\nkernel { support 1; }", {"support", "line 2", "1.5 and 4"}},
+        }
+    );
+}
+
+TEST_P(Input, liquidProperties)
+{
+    expectRefusals
+    (
+        "constant/liquidProperties",
+        {
+            {"nu 1e-6;\nsigma 0.07;", {"'rho' is missing"}},
+            {"rho 0;\nnu 1e-6;\nsigma 0.07;", {"'rho' is 0", "line 1"}},
+            {"rho -998;\nnu 1e-6;\nsigma 0.07;", {"'rho' is -998", "line 1"}},
+            {"rho 998;\nnu -1e-6;\nsigma 0.07;", {"'nu' is -1e-06", "line 2", ">= 0"}},
+            {"rho 998;\nnu 1e-6;\nsigma nan;", {"'sigma'", "line 3"}},
+            {"rho water;\nnu 1e-6;\nsigma 0.07;", {"'rho'", "'water'", "line 1", "a number"}},
+            {"rho 998;\nnu [1 0 0 0 0 0 0] 1e-6;\nsigma 0.07;", {"'nu'", "line 2", "[0 2 -1 0 0 0 0]"}},
+            {"rho 998;\nnu 1e-6;\nsigma 0.07;\nmu 1e-3;", {"'mu'", "line 4", "Did you mean 'nu'"}},
+        }
+    );
+}
+
+TEST_P(Input, models)
+{
+    const std::string good = "pressure pbf;\nsurfaceTension Fujisawa2014;\nwetting contactAngle;\nviscosity XSPH;\n";
+    expectRefusals
+    (
+        "constant/models",
+        {
+            {good, {"'bodyForce' is missing"}},
+            {good + "bodyforce none;", {"'bodyForce' is missing", "Did you mean 'bodyforce'"}},
+            {good + "bodyForce wind;", {"bodyForce", "'wind'", "line 5", "gravity", "none"}},
+            {good + "bodyForce none; presure none;", {"'presure'", "line 5", "Did you mean 'pressure'"}},
+            {good + "bodyForce none;\nXSPHCoeffs { d 1; }", {"'d'", "line 6", "XSPHCoeffs"}},
+            {good + "bodyForce none;\nXSPHCoeffs 1;", {"'XSPHCoeffs'", "line 6", "XSPHCoeffs { ... }"}},
+            {"pressure pbf; surfaceTension none; wetting contactAngle; viscosity none; bodyForce none;",
+                {"wetting", "surfaceTension Akinci2013 or Fujisawa2014"}},
+            {"pressure pbf; surfaceTension Akinci2031; wetting none; viscosity none; bodyForce none;",
+                {"surfaceTension", "'Akinci2031'", "line 1", "Did you mean 'Akinci2013'", "Fujisawa2014", "none"}},
+            {"pressure sph; surfaceTension none; wetting none; viscosity none; bodyForce none;",
+                {"pressure", "'sph'", "pbf", "none"}},
+            {"pressure pbf; surfaceTension Fujisawa2014; wetting angle; viscosity none; bodyForce none;",
+                {"wetting", "'angle'", "contactAngle", "Akinci2013"}},
+            {"pressure pbf; surfaceTension none; wetting none; viscosity honey; bodyForce none;",
+                {"viscosity", "'honey'", "laminar", "XSPH"}},
+        }
+    );
+    expectRefusals
+    (
+        "constant/g",
+        {
+            {"value 9.81;", {"'value'", "a vector", "line 1"}},
+            {"dimensions [0 1 -1 0 0 0 0];\nvalue (0 0 -9.81);", {"[0 1 -1 0 0 0 0]", "[0 1 -2 0 0 0 0]", "line 1"}},
+        }
+    );
+}
+
+TEST_P(Input, walls)
+{
+    const std::string plane = "side\n{\n    type plane;\n    point (-3.5e-3 0 0);\n    ";
+    expectRefusals
+    (
+        "constant/walls",
+        {
+            {"side { type plain; }", {"'type' is 'plain'", "line 1", "Did you mean 'plane'", "cylinder", "particles"}},
+            {"side { point (0 0 0); }", {"'type' is missing", "side"}},
+            {plane + "norml (1 0 0);\n}", {"'normal' is missing", "Did you mean 'norml'"}},
+            {plane + "normal (1 0 0);\n    angle 60;\n}", {"'angle'", "line 6"}},
+            {plane + "normal (0 0 0);\n}", {"normal", "line 5", "no direction"}},
+            {plane + "normal 1;\n}", {"'normal'", "line 5", "a vector"}},
+            {"ball { type sphere; centre (0 0 -1); radius 0; liquid outside; }", {"'radius' is 0"}},
+            {"ball { type sphere; centre (0 0 -1); radius 1e-3; liquid around; }", {"'around'", "inside", "outside"}},
+        }
+    );
+    expectRefusals
+    (
+        "constant/wettability",
+        {
+            {"floor { theta 60; }", {"'side' is missing"}},
+            {"side { thet 60; }", {"'theta' is missing", "Did you mean 'thet'"}},
+            {"\nside { theta -1; }", {"-1 degrees", "line 2", "0 to 180"}},
+        }
+    );
+}
+
+TEST_P(Input, liquidInsideASolid)
+{
+    write("constant/walls", "floor { type particles; }\nlid { type plane; point (0 0 4e-3); normal (0 0 -1); }\n");
+    write("constant/wettability", "lid { theta 90; }");
+    expectRefusal({"inside the solid 'lid'", "0.0045) m", "constant/walls at line 2"});
+
+    // The sampled floor, turned upside down: the block is behind it.
+    write("constant/walls", "floor { type particles; }\n");
+    write("constant/solid/normals", vectors("[0 0 0 0 0 0 0]", "uniform (0 0 -1)"));
+    expectRefusal({"inside the solid 'floor'", "constant/walls", "half a spacing"});
+}
+
+TEST_P(Input, fields)
+{
+    const std::string length = "[0 1 0 0 0 0 0]", velocity = "[0 1 -1 0 0 0 0]";
+    expectRefusals
+    (
+        "0/liquid/positions",
+        {
+            {vectors(length, "nonuniform List<vector> 2((0 0 1e-3)(0 nan 2e-3))"), {"element 1", "NaN", "line 7"}},
+            {vectors(length, "nonuniform List<vector> 2((0 0 1e-3)(0 inf 2e-3))"), {"element 1", "line 7"}},
+            {vectors(length, "nonuniform List<vector> 1((0 0 1e-3)(0 0 2e-3))"), {"2 elements", "line 7"}},
+            {vectors(length, "nonuniform List<scalar> 2(1e-3 2e-3)"), {"List<scalar>", "List<vector>", "line 7"}},
+            {vectors(length, "nonuniform List<vector> 2((0 0 1e-3)(0 0 wet))"), {"wet", "line 7"}},
+            {vectors(velocity, "nonuniform List<vector> 1((0 0 1e-3))"), {velocity, length, "line 6"}},
+            {vectors(length, "nonuniform List<vector> 1((0 0 1e30))"), {"1e+30", "element 0", "too large"}},
+            {vectors(length, "uniform (0 0 1e-3)"), {"uniform"}},
+            {"", {"internalField"}},
+        }
+    );
+    expectRefusals
+    (
+        "0/liquid/U",
+        {
+            {vectors(velocity, "nonuniform List<vector> 2((0 0 0)(0 0 0))"), {"2 elements", "294 elements", "line 7"}},
+            {vectors(velocity, "uniform (0 nan 0)"), {"NaN"}},
+            {vectors(length, "uniform (0 0 0)"), {length, velocity, "line 6"}},
+        }
+    );
+    const auto scalars = [](const std::string& internalField)
+    {
+        return "FoamFile\n{\n    format ascii;\n    class scalarField;\n}\ndimensions [0 0 0 0 0 0 0];\n"
+               "internalField " + internalField + ";\n";
+    };
+    expectRefusals
+    (
+        "0/solid/theta",
+        {
+            {scalars("nonuniform List<scalar> 2(60 60)"), {"2 elements", "324 elements", "line 7"}},
+            {scalars("uniform 200"), {"200 degrees", "0 to 180"}},
+            {vectors("[0 0 0 0 0 0 0]", "uniform (60 0 0)"), {"vectorField", "scalarField", "line 4"}},
+        }
+    );
+}
+
+TEST_P(Input, noParticles)
+{
+    write("0/liquid/positions", vectors("[0 1 0 0 0 0 0]", "nonuniform List<vector> 0()"));
+    write("0/liquid/U", vectors("[0 1 -1 0 0 0 0]", "uniform (0 0 0)"));
+    expectRefusal({"no liquid", "empty", "0/liquid", "run fillLiquid"});
+}
+
+TEST_P(Input, binaryFields)
+{
+    for (const std::string name : {"positions", "U"})
+    {
+        const auto file = path()/"0/liquid"/name;
+        writeField(file, readField(file), {.binary = true});
+    }
+    ASSERT_EQ(solve("-dry-run").status, 0);
+    for (const std::string name : {"0/liquid/positions", "0/liquid/U"})
+    {
+        SCOPED_TRACE(name);
+        const std::string whole = read(name);
+        ASSERT_GT(whole.size(), std::size_t(12*particles));
+        write(name, whole.substr(0, whole.size() - 1000));
+        expectRefusal({"truncated", "element", "294 elements of 12 bytes", name});
+        std::string poisoned = whole;
+        const float bad = std::numeric_limits<float>::quiet_NaN();
+        poisoned.replace(whole.size() - 15, 4, reinterpret_cast<const char*>(&bad), 4);   // the last vector, ");\n" behind
+        write(name, poisoned);
+        expectRefusal({"element 293 is NaN", name});
+        write(name, whole);
+    }
+}
+
+TEST_P(Input, unknownOptions)
+{
+    expectRefusal({"'-dryrun'", "Did you mean '-dry-run'", "-noFunctionObjects"}, "-dryrun");
+    expectRefusal({"'-dt'", "-device"}, "-dt 3");
+    expectRefusal({"'fast'", "-help"}, "fast");
+}
+
+TEST_P(Input, aDeviceThatIsNotThere)
+{
+    const Contents before = contents();
+    const auto refusal = [&](const std::string& command, const std::vector<std::string>& parts)
+    {
+        const Outcome outcome = run(command + " -case " + path().string());
+        EXPECT_EQ(outcome.status, 1) << outcome.text;
+        EXPECT_TRUE(holds(outcome.text, parts));
+        EXPECT_TRUE(same(before, contents()));
+    };
+    for (const std::string application : {"pbfDroplet", "meshSurface"})
+    {
+        refusal(program(application) + " -device gpu", {"'gpu'", "auto", "cpu", "cuda"});
+        refusal(program(application) + " -device", {"-device has no value"});
+        // Without the GPU, without its driver or without the module: each of them names the device.
+        for (const std::string form : {"-device cuda", "--device cuda", "-device=cuda"})
+        {
+            refusal("CUDA_VISIBLE_DEVICES= " + program(application) + " " + form, {"FATAL ERROR", "'cuda'", "cpu"});
+        }
+        // An installation without modules.
+        std::filesystem::copy_file(program(application), folder_.path()/application);
+        refusal
+        (
+            (folder_.path()/application).string() + " -device cpu",
+            {"'cpu'", "built without it", "lib" + application + "-cpu.so"}
+        );
+    }
+}
+
+TEST_P(Input, aFileInTheWayOfATime)
+{
+    write("0.002", "a file of the user's");
+    control("writeInterval 2;");
+    expectRefusal({"Cannot write", "case/0.002", "not a folder"});
+}
+
+TEST_P(Input, anUnwritableCase)
+{
+    // Root may write everywhere unless it gives up that right.
+    const std::string humbly = geteuid() == 0 ? "setpriv --bounding-set=-dac_override " : "";
+    namespace fs = std::filesystem;
+    const auto mode = fs::status(path()).permissions();
+    fs::permissions(path(), fs::perms::owner_read | fs::perms::owner_exec);
+    ASSERT_NE(run(humbly + "touch " + (path()/"probe").string()).status, 0);
+    // At the start, not at the first write.
+    expectRefusal({"Cannot write", path().string(), "Permission denied"}, "", humbly);
+    EXPECT_EQ(run(humbly + command("pbfDroplet", "-dry-run")).status, 0);
+    fs::permissions(path(), mode);
+}
+
+// A full disk: no file may grow beyond 8 KiB, which the positions need.
+TEST_P(Input, aFullDisk)
+{
+    const std::string full = "ulimit -f 16; trap '' XFSZ;";
+    expectRefusal({"Cannot write", "liquid/positions", "File too large"}, "", full);
+    control("writeFormat binary; functions { drop { type liquidState; } } endTime 0.1; writeInterval 100;");
+    const Outcome outcome = run(full + command("pbfDroplet", ""));
+    EXPECT_EQ(outcome.status, 1) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"Cannot write", "liquidState.csv", "File too large"}));
+    // The fields of the time are whole.
+    EXPECT_EQ(readField(path()/"0.1/liquid/U", FieldType::vector, dimensions::velocity).elements(), std::size_t(particles));
+    for (const auto& [name, bytes] : contents()) EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
+}
+
+TEST_P(Input, aRunThatDiverges)
+{
+    ASSERT_EQ(solve().status, 0);
+    // Finite, but absurd.
+    control("adjustTimeStep no; deltaT 1; endTime 10;");
+    expectRefusal
+    (
+        {"diverged", "m/s", "particle spacings in one step of 1 s", "last good state is kept in " + (path()/"0.004").string(),
+         "deltaT"}
+    );
+    // Not finite.
+    control("adjustTimeStep no; deltaT 1e30; endTime 1e31;");
+    expectRefusal({"diverged", "294 particles is not a finite number", "kept in " + (path()/"0.004").string()});
+    // With sub-steps it needs too many of them.
+    control("deltaT 10; endTime 100;");
+    expectRefusal({"sub-steps", "maxSubSteps 1000", "deltaT"});
+}
+
+}

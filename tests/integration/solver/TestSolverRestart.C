@@ -1,0 +1,136 @@
+// Runs that are stopped, killed or cut off in the middle of a write continue to the same bits as one that is not.
+
+#include "SolverCase.H"
+
+#include <csignal>
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+class Restart : public SolverCase
+{
+protected:
+    // The fields of these times after a run from 0 to 9 ms at once; the case is left as it was before.
+    Contents uninterrupted(const std::string& format) const
+    {
+        control("endTime 9e-3;" + format);
+        const Outcome outcome = solve();
+        EXPECT_EQ(outcome.status, 0) << outcome.text;
+        const Contents result = results();
+        removeResults();
+        return result;
+    }
+
+    Contents results() const
+    {
+        Contents result;
+        for (const std::string time : {"0.006", "0.009"})
+        {
+            for (const auto& [name, bytes] : contents(time)) result[time + "/" + name] = bytes;
+        }
+        return result;
+    }
+
+    void expectContinuation(const Contents& expected, const std::string& format) const
+    {
+        control("endTime 9e-3;" + format);
+        const Outcome outcome = solve();
+        ASSERT_EQ(outcome.status, 0) << outcome.text;
+        EXPECT_TRUE(same(expected, results()));
+        for (const std::string& name : folder_.list("case")) EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
+    }
+
+    void expectRestart(const std::string& format) const
+    {
+        const Contents expected = uninterrupted(format);
+        for (const std::string file : {"positions", "U", "id", "densityRatio"})
+        {
+            ASSERT_TRUE(expected.contains("0.009/liquid/" + file)) << file;
+        }
+        ASSERT_NE(expected.at("0.009/liquid/U"), expected.at("0.006/liquid/U"));
+        control("endTime 5e-3;" + format);
+        ASSERT_EQ(solve().status, 0);
+        ASSERT_TRUE(exists("0.005"));
+        ASSERT_FALSE(exists("0.006"));
+        expectContinuation(expected, format);
+    }
+
+    void expectContinuationAfterKill(const std::function<bool()>& moment) const
+    {
+        const Contents expected = uninterrupted(ascii);
+        control("endTime 1;" + ascii);
+        Process process(command("pbfDroplet", ""), folder_.path()/"log");
+        ASSERT_TRUE(process.runUntil(moment)) << process.log();
+        ASSERT_EQ(process.end(SIGKILL), 128 + SIGKILL) << process.log();
+        ASSERT_TRUE(exists("0.003"));
+        // However late the kill came, the times that are compared are made by the run that continues.
+        for (const std::string& name : folder_.list("case"))
+        {
+            if (name.starts_with("0.") && std::stod(name) > 5e-3) remove(name);
+        }
+        expectContinuation(expected, ascii);
+    }
+
+    static inline const std::string ascii = "writeFormat ascii; writePrecision 9;";
+    static inline const std::string binary = "writeFormat binary;";
+};
+
+INSTANTIATE_TEST_SUITE_P(Devices, Restart, testing::ValuesIn(devices()));
+
+}
+
+TEST_P(Restart, binaryContinuesToTheSameBits) { expectRestart(binary); }
+
+TEST_P(Restart, asciiContinuesToTheSameBits) { expectRestart(ascii); }
+
+TEST_P(Restart, theNumberOfThreadsChangesNoBit)
+{
+    ASSERT_EQ(setenv("OMP_NUM_THREADS", "3", 1), 0);
+    const Contents three = uninterrupted(binary);
+    ASSERT_EQ(setenv("OMP_NUM_THREADS", "1", 1), 0);
+    const Contents one = uninterrupted(binary);
+    unsetenv("OMP_NUM_THREADS");
+    EXPECT_TRUE(same(three, one));
+}
+
+TEST_P(Restart, aKilledRunContinues)
+{
+    expectContinuationAfterKill([&] { return exists("0.003"); });
+}
+
+TEST_P(Restart, aRunKilledWhileItWritesContinues)
+{
+    expectContinuationAfterKill([&]
+    {
+        if (!exists("0.003")) return false;
+        for (const std::string& name : folder_.list("case"))
+        {
+            if (name.ends_with(".partial")) return true;
+        }
+        return false;
+    });
+}
+
+// The same, where the kernel decides on the very moment: SIGXFSZ ends the run in the middle of its first field, since
+// the positions do not fit into 8 KiB.
+TEST_P(Restart, halfATimeIsNoTime)
+{
+    const Contents expected = uninterrupted(ascii);
+    control("endTime 5e-3;" + ascii);
+    ASSERT_EQ(solve().status, 0);
+    control("endTime 9e-3;" + ascii);
+    const Outcome cut = run("ulimit -c 0; ulimit -f 16; " + command("pbfDroplet", ""));
+    ASSERT_EQ(cut.status, 128 + SIGXFSZ) << cut.text;
+    ASSERT_TRUE(exists(".0.006.partial/liquid"));
+    ASSERT_FALSE(exists("0.006"));
+
+    const Outcome mesh = call("meshSurface", "-latestTime");
+    EXPECT_EQ(mesh.status, 0) << mesh.text;
+    EXPECT_TRUE(holds(mesh.text, {"Time = 0.005 s"}));
+    expectContinuation(expected, ascii);
+}
+
+}

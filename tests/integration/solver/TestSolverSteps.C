@@ -1,0 +1,226 @@
+// Sub-steps and their limits, controlDict changed while the solver runs, and the options of the command line.
+
+#include "SolverCase.H"
+
+#include <cmath>
+#include <numbers>
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+class Steps : public SolverCase
+{
+protected:
+    std::vector<LoggedStep> solvedSteps() const
+    {
+        const Outcome outcome = solve();
+        EXPECT_EQ(outcome.status, 0) << outcome.text;
+        const auto steps = stepsOf(outcome.text);
+        EXPECT_EQ(steps.size(), 4u) << outcome.text;
+        return steps;
+    }
+
+    void expectFirst(int subSteps, const std::string& limit) const
+    {
+        const auto steps = solvedSteps();
+        ASSERT_FALSE(steps.empty());
+        EXPECT_EQ(steps[0].subSteps, subSteps);
+        EXPECT_EQ(steps[0].limit, limit);
+        // The log has six digits.
+        for (const LoggedStep& step : steps) EXPECT_NEAR(step.dt*step.subSteps, 1e-3, 1e-8);
+    }
+
+    // Of the speed at the start of each step, with what gravity may add in it.
+    static void expectCourant(const std::vector<LoggedStep>& steps, double maxCo)
+    {
+        for (std::size_t i = 1; i < steps.size(); ++i)
+        {
+            const double speed = steps[i - 1].maxSpeed + 9.81*steps[i].dt*steps[i].subSteps;
+            EXPECT_LE(steps[i].dt*speed/spacing, maxCo*(1 + 1e-5)) << "step " << i;     // six digits of the log
+        }
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Devices, Steps, testing::ValuesIn(devices()));
+
+// Shortest capillary wave: sqrt(rho d^3/(2 pi sigma)).
+const double capillaryTime = std::sqrt(998*1e-9/(2*std::numbers::pi*0.0728));
+
+}
+
+TEST_P(Steps, theCapillaryLimitIsNamed)
+{
+    expectFirst(int(std::ceil(1e-3/(0.3*capillaryTime))), "capillary");
+    removeResults();
+    control("maxCapillaryCo 0.05;");
+    expectFirst(int(std::ceil(1e-3/(0.05*capillaryTime))), "capillary");
+}
+
+TEST_P(Steps, theCourantNumberIsNamedAndObeyed)
+{
+    fill({1, 0, 0});
+    control("maxCo 0.05;");
+    const auto steps = solvedSteps();
+    ASSERT_FALSE(steps.empty());
+    // 0.05 mm at 1 m/s, with 1 % from gravity and less from the small differences.
+    EXPECT_EQ(steps[0].subSteps, 21);
+    for (const LoggedStep& step : steps) EXPECT_EQ(step.limit, "Courant");
+    expectCourant(steps, 0.05);
+}
+
+TEST_P(Steps, theViscousLimitIsNamed)
+{
+    write("constant/liquidProperties", "rho 998; nu 1e-3; sigma 0.0728;");
+    write
+    (
+        "constant/models",
+        "pressure pbf; surfaceTension Fujisawa2014; wetting contactAngle; viscosity laminar; bodyForce gravity;"
+    );
+    expectFirst(8, "viscous");          // 1e-3 s/(0.125 d^2/nu)
+}
+
+TEST_P(Steps, withoutLimitsDeltaTIsTheStep)
+{
+    control("deltaT 1e-4; endTime 4e-4;");
+    auto steps = solvedSteps();
+    ASSERT_FALSE(steps.empty());
+    EXPECT_EQ(steps[0].subSteps, 1);
+    EXPECT_EQ(steps[0].limit, "deltaT");
+    removeResults();
+    control("adjustTimeStep no;");
+    steps = solvedSteps();
+    ASSERT_FALSE(steps.empty());
+    EXPECT_EQ(steps[0].subSteps, 1);
+    EXPECT_EQ(steps[0].dt, 1e-3);
+    EXPECT_EQ(steps[0].limit, "deltaT");
+}
+
+TEST_P(Steps, maxSubStepsStopsTheRun)
+{
+    control("maxSubSteps 2;");
+    expectRefusal({"3 sub-steps", "capillary", "maxSubSteps 2", "deltaT", "system/controlDict"});
+}
+
+TEST_P(Steps, endTimeAndMaxCoMayChangeWhileItRuns)
+{
+    control("endTime 60; writeInterval 1000000; runTimeModifiable yes;");
+    Process process(command("pbfDroplet", ""), folder_.path()/"log");
+    ASSERT_TRUE(process.runUntil([&] { return stepsOf(process.log()).size() > 2; })) << process.log();
+    process.pause();
+    const std::size_t before = stepsOf(process.log()).size();
+    const double end = 1e-3*double(before + 5);
+    control("endTime " + std::to_string(end) + "; writeInterval 1000000; runTimeModifiable yes; maxCo 0.01;");
+    process.resume();
+    ASSERT_EQ(process.wait(), 0) << process.log();
+
+    EXPECT_TRUE(holds(process.log(), {"controlDict anew"}));
+    const auto steps = stepsOf(process.log());
+    ASSERT_EQ(steps.size(), before + 5);
+    EXPECT_NEAR(steps.back().time, end, 1e-9);
+    // The step in which the change came was divided before.
+    expectCourant({steps.begin() + long(before) + 1, steps.end()}, 0.01);
+    EXPECT_EQ(steps.back().limit, "Courant");
+    EXPECT_EQ(steps[before - 1].limit, "capillary");
+    EXPECT_EQ(folder_.list("case").size(), 4u);         // 0, constant, system and the last time
+}
+
+TEST_P(Steps, writeNowStopsTheRun)
+{
+    control("endTime 60; writeInterval 1000000; runTimeModifiable yes;");
+    Process process(command("pbfDroplet", ""), folder_.path()/"log");
+    ASSERT_TRUE(process.runUntil([&] { return stepsOf(process.log()).size() > 2; })) << process.log();
+    control("endTime 60; writeInterval 1000000; runTimeModifiable yes; stopAt writeNow;");
+    ASSERT_EQ(process.wait(), 0) << process.log();
+    const auto steps = stepsOf(process.log());
+    ASSERT_LT(steps.size(), 60000u);
+    std::vector<std::string> times;
+    for (const std::string& name : folder_.list("case"))
+    {
+        if (name.starts_with("0.")) times.push_back(name);
+    }
+    ASSERT_EQ(times.size(), 1u);
+    EXPECT_NEAR(std::stod(times[0]), steps.back().time, 1e-9);
+    EXPECT_TRUE(exists(times[0] + "/liquid/positions"));
+}
+
+TEST_P(Steps, aWrongChangeIsLeftOut)
+{
+    control("endTime 60; writeInterval 1000000; runTimeModifiable yes;");
+    Process process(command("pbfDroplet", ""), folder_.path()/"log");
+    ASSERT_TRUE(process.runUntil([&] { return stepsOf(process.log()).size() > 2; })) << process.log();
+    control("endTime 60; writeInterval 1000000; runTimeModifiable yes; maxSubSteps 0;");
+    const auto warned = [&] { return process.log().find("--> WARNING") != std::string::npos; };
+    ASSERT_TRUE(process.runUntil(warned)) << process.log();
+    EXPECT_TRUE(process.runUntil([&] { return holds(process.log(), {"maxSubSteps is 0", "former values"}); }));
+    control("endTime 60; writeInterval 1000000; runTimeModifiable yes; stopAt noWriteNow;");
+    EXPECT_EQ(process.wait(), 0) << process.log();
+    EXPECT_EQ(folder_.list("case"), (std::vector<std::string>{"0", "constant", "system"}));
+}
+
+TEST_P(Steps, dryRunChangesNothing)
+{
+    write(".0.002.partial/liquid/positions", "what another run may be writing");
+    control("functions { drop { type liquidState; } }");
+    const Contents before = contents();
+    const Outcome outcome = solve("-dry-run");
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(same(before, contents()));
+    EXPECT_TRUE(holds
+    (
+        outcome.text,
+        {
+            "Liquid particles 294, solid particles 324, analytic surfaces 1", "Dry run", "MiB of ",
+            "steps                : 12 of 0.000333333 s, limited by capillary", "time a step", "estimated time", "End"
+        }
+    ));
+    EXPECT_TRUE(stepsOf(outcome.text).empty());
+}
+
+TEST_P(Steps, dryRunFindsErrors)
+{
+    write("constant/wettability", "floor { theta 60; }\nside { theta 181; }\n");
+    expectRefusal({"181", "0 to 180", "constant/wettability at line 2"}, "-dry-run");
+}
+
+TEST_P(Steps, functionObjectsMayBeLeftOut)
+{
+    control("functions { drop { type liquidState; executeInterval 2; } }");
+    ASSERT_EQ(solve().status, 0);
+    const std::string table = read("postProcessing/drop/0/liquidState.csv");
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 3) << table;        // a head and every second of four steps
+    removeResults();
+    ASSERT_EQ(solve("-noFunctionObjects").status, 0);
+    EXPECT_TRUE(exists("0.004/liquid/positions"));
+    EXPECT_FALSE(exists("postProcessing"));
+}
+
+TEST_P(Steps, helpTellsTheOptions)
+{
+    const Contents before = contents();
+    const Outcome outcome = solve("-help");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_TRUE(holds
+    (
+        outcome.text, {"Usage: pbfDroplet", "-case <DIR>", "-device <auto|cuda|cpu>", "-dry-run", "-noFunctionObjects"}
+    ));
+    EXPECT_EQ(outcome.text.find("PID"), std::string::npos);
+    EXPECT_TRUE(same(before, contents()));
+}
+
+TEST_P(Steps, theHeaderNamesDeviceAndCase)
+{
+    const Outcome outcome = solve();
+    EXPECT_TRUE(holds
+    (
+        outcome.text,
+        {
+            "Build  : ", "Host   : ", "PID    : ", "Case   : " + path().string(), "Device : " + device(),
+            "ExecutionTime = ", "ClockTime = ", "kinetic energy", "volume = ", "density error average", "(100 %", "\nEnd\n"
+        }
+    ));
+}
+
+}
