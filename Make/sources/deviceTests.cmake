@@ -5,6 +5,18 @@ set(SHIZUKU_DEVICE_TESTS
     device/TestForEach.C
     device/TestReduce.C
     maths/TestKernel.C
+    models/TestModels.C
+    models/bodyForce/gravity/TestGravity.C
+    models/density/TestDensity.C
+    models/pressure/pbf/TestPbf.C
+    models/surfaceTension/pairTension/TestCohesionSpline.C
+    models/surfaceTension/pairTension/TestPairTension.C
+    models/viscosity/TestMomentum.C
+    models/viscosity/XSPH/TestXSPH.C
+    models/viscosity/laminar/TestLaminar.C
+    models/wetting/Akinci2013/TestAkinci2013.C
+    models/wetting/contactAngle/TestContactAngle.C
+    motion/TestMotion.C
     neighbours/TestNeighbourList.C
     particles/TestFieldRegistry.C
     particles/TestParticleFiles.C
@@ -20,4 +32,5 @@ set(SHIZUKU_DEVICE_TESTS
 set(SHIZUKU_DEVICE_TEST_SUPPORT
     support/DeviceMain.C
     support/LiquidCase.C
+    support/PairReference.C
 )

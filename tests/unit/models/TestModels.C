@@ -1,0 +1,165 @@
+// Run-time selection of the models, and that a model which is off costs nothing.
+
+#include "models/Models.H"
+
+#include "device/Device.H"
+#include "support/LiquidCase.H"
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+using Words = std::vector<std::string>;
+
+const Dictionary none = Dictionary::parse
+(
+    "pressure none; surfaceTension none; wetting none; viscosity none; bodyForce none;", "constant/models"
+);
+
+// A choice of its own for one keyword, and a pair force for the wetting models to continue.
+Dictionary choosing(const std::string& keyword, const std::string& word)
+{
+    return Dictionary::parse("surfaceTension Akinci2013;\n" + keyword + " " + word + ";", "constant/models");
+}
+
+}
+
+TEST(Models, HaveTheirWords)
+{
+    EXPECT_EQ(PressureTable::words(), (Words{"none", "pbf"}));
+    EXPECT_EQ(SurfaceTensionTable::words(), (Words{"Akinci2013", "Fujisawa2014", "none"}));
+    EXPECT_EQ(WettingTable::words(), (Words{"Akinci2013", "contactAngle", "none"}));
+    EXPECT_EQ(ViscosityTable::words(), (Words{"XSPH", "laminar", "none"}));
+    EXPECT_EQ(BodyForceTable::words(), (Words{"gravity", "none"}));
+}
+
+TEST(Models, AreMadeByEveryWord)
+{
+    LiquidCase drop;
+    const auto constant = drop.folder.path() / "constant";
+    for (const auto& word : PressureTable::words())
+    {
+        EXPECT_NE(Pressure::New(choosing("pressure", word), Dictionary(), drop.liquid), nullptr) << word;
+    }
+    for (const auto& word : SurfaceTensionTable::words())
+    {
+        const auto tension = SurfaceTension::New(Dictionary::parse("surfaceTension " + word + ";"), drop.liquid, drop.walls);
+        EXPECT_EQ(tension->active(), word != "none") << word;
+        EXPECT_EQ(tension->pairCoefficients().has_value(), word != "none") << word;
+    }
+    const auto tension = SurfaceTension::New(choosing("wetting", "none"), drop.liquid, drop.walls);
+    for (const auto& word : WettingTable::words())
+    {
+        const auto wetting = Wetting::New(choosing("wetting", word), drop.liquid, drop.walls, *tension);
+        EXPECT_EQ(wetting->active(), word != "none") << word;
+    }
+    for (const auto& word : ViscosityTable::words())
+    {
+        EXPECT_NE(Viscosity::New(choosing("viscosity", word), drop.liquid), nullptr) << word;
+    }
+    for (const auto& word : BodyForceTable::words())
+    {
+        EXPECT_NE(BodyForce::New(choosing("bodyForce", word), constant, drop.liquid), nullptr) << word;
+    }
+}
+
+TEST(Models, OfAnUnknownWordListTheChoices)
+{
+    LiquidCase drop;
+    const auto constant = drop.folder.path() / "constant";
+    const auto tension = SurfaceTension::New(none, drop.liquid, drop.walls);
+    EXPECT_TRUE(holds(messageOf([&] { Pressure::New(choosing("pressure", "pbd"), Dictionary(), drop.liquid); }),
+                      {"Unknown pressure model 'pbd'", "constant/models", "line 2", "Did you mean 'pbf'?", "none"}));
+    EXPECT_TRUE(holds(messageOf([&] { SurfaceTension::New(Dictionary::parse("surfaceTension akinci;"), drop.liquid, drop.walls); }),
+                      {"Unknown surfaceTension model 'akinci'", "Akinci2013", "Fujisawa2014", "none"}));
+    EXPECT_TRUE(holds(messageOf([&] { Wetting::New(choosing("wetting", "angle"), drop.liquid, drop.walls, *tension); }),
+                      {"Unknown wetting model 'angle'", "Akinci2013", "contactAngle", "none"}));
+    EXPECT_TRUE(holds(messageOf([&] { Viscosity::New(choosing("viscosity", "xsph"), drop.liquid); }),
+                      {"Unknown viscosity model 'xsph'", "Did you mean 'XSPH'?", "laminar", "none"}));
+    EXPECT_TRUE(holds(messageOf([&] { BodyForce::New(choosing("bodyForce", "gravitiy"), constant, drop.liquid); }),
+                      {"Unknown bodyForce model 'gravitiy'", "Did you mean 'gravity'?", "none"}));
+}
+
+TEST(Models, ThatAreOffLaunchAndAllocateNothing)
+{
+    LiquidCase drop;
+    drop.place(latticeBall(3));
+    const DeviceCounters before = deviceCounters();
+    const std::size_t fields = drop.liquid.fields().entries().size();
+
+    const auto bodyForce = BodyForce::New(none, drop.folder.path() / "constant", drop.liquid);
+    InterParticleForces forces(none, drop.liquid, drop.walls);
+    const auto pressure = Pressure::New(none, Dictionary(), drop.liquid);
+    const auto viscosity = Viscosity::New(none, drop.liquid);
+    bodyForce->apply(drop.liquid, 0.01f);
+    forces.applyBeforeIterations(drop.liquid, drop.near, drop.walls, 0.01f);
+    forces.applyInIteration(drop.liquid, drop.near, drop.walls, 0.01f);
+    pressure->begin();
+    EXPECT_FALSE(pressure->violated(drop.liquid, drop.near, drop.walls));
+    pressure->correct(drop.liquid, drop.near, drop.walls);
+    EXPECT_EQ(pressure->iterations(), 0);
+    viscosity->apply(drop.liquid, drop.near, drop.walls, 0.01f);
+    EXPECT_FALSE(forces.active());
+    EXPECT_EQ(bodyForce->acceleration(), 0);
+    EXPECT_EQ(viscosity->stepLimit(drop.liquid.properties()), std::numeric_limits<double>::infinity());
+
+    EXPECT_EQ(deviceCounters().launches, before.launches);
+    EXPECT_EQ(deviceCounters().bytes, before.bytes);
+    EXPECT_EQ(drop.liquid.fields().entries().size(), fields);
+}
+
+// A case without walls pays nothing for them either.
+TEST(Models, AtAbsentWallsLaunchNothing)
+{
+    LiquidCase drop;
+    drop.place(latticeBall(3));
+    const auto tension = SurfaceTension::New(choosing("wetting", "none"), drop.liquid, drop.walls);
+    const auto wetting = Wetting::New(choosing("wetting", "contactAngle"), drop.liquid, drop.walls, *tension);
+    Buffer<Vec3> acceleration(drop.liquid.all());
+    acceleration.setZero();
+    const DeviceCounters before = deviceCounters();
+    wetting->apply(drop.liquid, drop.walls, acceleration);
+    drop.walls.update(drop.liquid);
+    drop.walls.project(drop.liquid);
+    EXPECT_EQ(deviceCounters().launches, before.launches);
+    EXPECT_EQ(deviceCounters().bytes, before.bytes);
+}
+
+TEST(Models, TogetherRefuseEntriesThatNobodyKnows)
+{
+    LiquidCase drop;
+    const std::string chosen = "pressure pbf; surfaceTension none; wetting none; viscosity XSPH; bodyForce none;\n";
+    const auto make = [&](const std::string& more)
+    {
+        drop.folder.write("constant/models", chosen + more);
+        return messageOf([&] { Models(drop.folder.path(), Dictionary(), drop.liquid, drop.walls); });
+    };
+    EXPECT_EQ(make("XSPHCoeffs { c 0.1; } laminarCoeffs { noSlip no; }"), "no error");      // of models not chosen: may stay
+    EXPECT_TRUE(holds(make("XSPHCoeffs { d 0.1; }"), {"constant/models", "line 2", "'d'"}));
+    EXPECT_TRUE(holds(make("viscositee none;"), {"viscositee"}));
+}
+
+TEST(InterParticleForces, ActInThePlaceThatForceCouplingChooses)
+{
+    for (const bool everyIteration : {false, true})
+    {
+        LiquidCase drop;
+        const Dictionary models = Dictionary::parse
+        (
+            "surfaceTension Akinci2013; wetting none; forceCoupling "
+          + std::string(everyIteration ? "everyIteration;" : "predictor;")
+        );
+        InterParticleForces forces(models, drop.liquid, drop.walls);
+        drop.place({{0, 0, 0}, {1.2f, 0, 0}});
+        const auto moved = [&] { return drop.inOrder(drop.liquid.predicted)[1].x != 1.2f * drop.liquid.spacing(); };
+        forces.applyBeforeIterations(drop.liquid, drop.near, drop.walls, 0.5f);
+        EXPECT_EQ(moved(), !everyIteration);
+        forces.applyInIteration(drop.liquid, drop.near, drop.walls, 0.5f);
+        EXPECT_TRUE(moved());
+    }
+    LiquidCase drop;
+    const Dictionary wrong = Dictionary::parse("surfaceTension none; wetting none; forceCoupling once;");
+    EXPECT_TRUE(holds(messageOf([&] { InterParticleForces(wrong, drop.liquid, drop.walls); }), {"once", "predictor", "everyIteration"}));
+}

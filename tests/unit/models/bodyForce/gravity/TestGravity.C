@@ -1,0 +1,44 @@
+#include "models/bodyForce/BodyForce.H"
+
+#include "support/LiquidCase.H"
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+const Dictionary gravity = Dictionary::parse("bodyForce gravity;");
+
+}
+
+TEST(Gravity, AddsItsVelocityInEveryStep)
+{
+    LiquidCase drop({.g = "dimensions [0 1 -2 0 0 0 0]; value (1 -2 -9.81);"});
+    const auto model = BodyForce::New(gravity, drop.folder.path() / "constant", drop.liquid);
+    EXPECT_DOUBLE_EQ(model->acceleration(), std::sqrt(5 + 9.81 * 9.81));
+
+    const Units& units = drop.liquid.units();
+    drop.place({{0, 0, 0}, {5, 0, 0}}, {{0, 0, 0}, {1, 1, 1}});
+    const double dt = 1e-4;             // s
+    for (int step = 0; step < 3; ++step) model->apply(drop.liquid, units.toScaled(dt, dimensions::time));
+    const auto velocity = drop.inOrder(drop.liquid.velocity);
+    const auto si = [&](float v) { return units.toSI(v, dimensions::velocity); };
+    // Four roundings of single precision.
+    EXPECT_NEAR(si(velocity[0].x), 3e-4, 1e-9);
+    EXPECT_NEAR(si(velocity[0].y), -6e-4, 1e-9);
+    EXPECT_NEAR(si(velocity[0].z), -9.81 * 3e-4, 1e-9);
+    EXPECT_NEAR(si(velocity[1].z) - si(1), -9.81 * 3e-4, 5e-7 * si(1));
+}
+
+TEST(Gravity, RefusesOtherDimensionsAndMissingValues)
+{
+    const auto refusal = [](const std::string& g)
+    {
+        LiquidCase drop({.g = g});
+        return messageOf([&] { BodyForce::New(gravity, drop.folder.path() / "constant", drop.liquid); });
+    };
+    EXPECT_TRUE(holds(refusal("dimensions [0 1 -1 0 0 0 0]; value (0 0 -9.81);"), {"constant/g", "[0 1 -2 0 0 0 0]"}));
+    EXPECT_TRUE(holds(refusal("dimensions [0 1 -2 0 0 0 0];"), {"value"}));
+    EXPECT_TRUE(holds(refusal("value (0 0 -9.81); valeu (0 0 0);"), {"valeu"}));
+}

@@ -1,0 +1,164 @@
+#include "models/pressure/Pressure.H"
+
+#include "models/density/Density.H"
+#include "support/LiquidCase.H"
+
+#include <algorithm>
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+const Dictionary pbf = Dictionary::parse("pressure pbf;");
+
+std::unique_ptr<Pressure> makePbf(Liquid& liquid, const std::string& controls)
+{
+    return Pressure::New(pbf, Dictionary::parse("pressure { " + controls + " }", "system/solution"), liquid);
+}
+
+// Average of max(rho/rho0 - 1, 0) at the predicted positions.
+double errorOf(LiquidCase& drop)
+{
+    computeDensity(drop.liquid, drop.near, drop.walls);
+    double sum = 0;
+    for (const float density : drop.liquid.density.download()) sum += std::max(density - 1, 0.0f);
+    return sum / drop.liquid.owned();
+}
+
+}
+
+// A lattice of 0.94 spacings is 20 % too dense inside. Every correction must leave a smaller error than the one before,
+// down to 1e-6, the rounding of densities near one.
+TEST(Pbf, LowersTheDensityErrorInEveryIteration)
+{
+    for (const char* kernel : {"type cubicSpline; support 2;", "type poly6Spiky; support 2.5;"})
+    {
+        LiquidCase drop({.kernel = kernel});
+        const auto model = makePbf(drop.liquid, "maxIterations 15; tolerance 0; relaxation 0.4;");
+        drop.place(latticeBlock(8, 8, 8, 0.94f));
+        double error = errorOf(drop);
+        const double first = error;
+        EXPECT_GT(first, 0.02);
+        model->begin();
+        while (model->violated(drop.liquid, drop.near, drop.walls))
+        {
+            model->correct(drop.liquid, drop.near, drop.walls);
+            const double now = errorOf(drop);
+            EXPECT_LT(now, std::max(error, 1e-6)) << kernel << ", " << model->iterations();
+            error = now;
+        }
+        EXPECT_EQ(model->iterations(), 15);
+        EXPECT_LT(error, 0.05 * first) << kernel;
+    }
+}
+
+// Pairs push each other alike. Positions of up to eight units are rounded to 5e-7: 512 of them leave about 1e-5.
+TEST(Pbf, ConservesMomentumWithoutWalls)
+{
+    LiquidCase drop;
+    const auto model = makePbf(drop.liquid, "maxIterations 3; tolerance 0; relaxation 1;");
+    RandomNumbers random(4);
+    auto points = latticeBlock(8, 8, 8, 0.92f);
+    for (Vec3& p : points) p += random({-0.1f, -0.1f, -0.1f}, {0.1f, 0.1f, 0.1f});
+    drop.place(points);
+    const auto before = drop.liquid.predicted.download();
+    model->begin();
+    while (model->violated(drop.liquid, drop.near, drop.walls)) model->correct(drop.liquid, drop.near, drop.walls);
+    const auto after = drop.liquid.predicted.download();
+    double sum[3] = {0, 0, 0}, moved = 0;
+    for (std::size_t i = 0; i < after.size(); ++i)
+    {
+        const Vec3 step = after[i] - before[i];
+        sum[0] += step.x;
+        sum[1] += step.y;
+        sum[2] += step.z;
+        moved += norm(step);
+    }
+    EXPECT_GT(moved, 5);
+    for (const double component : sum) EXPECT_NEAR(component, 0, 1e-4);
+}
+
+TEST(Pbf, PushesLiquidOffWallsAlongTheirNormals)
+{
+    for (const bool particles : {true, false})
+    {
+        CaseText text{.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }"};
+        if (particles)
+        {
+            text.walls = "floor { type particles; surface \"floor.stl\"; }";
+            text.solidPositions = latticeBlock(11, 11, 1, 1, {-5, -5, -0.5f});
+        }
+        LiquidCase drop(text);
+        const auto model = makePbf(drop.liquid, "maxIterations 1; minIterations 1; tolerance 0; relaxation 1;");
+        drop.place({{0, 0, particles ? -0.3f : -0.9f}});        // in the solid, where it alone is denser than liquid
+        const Vec3 before = drop.liquid.predicted.download()[0];
+        EXPECT_TRUE(model->violated(drop.liquid, drop.near, drop.walls));
+        EXPECT_GT(drop.liquid.density.download()[0], 1);
+        model->correct(drop.liquid, drop.near, drop.walls);
+        const Vec3 after = drop.liquid.predicted.download()[0];
+        EXPECT_GT(after.z, before.z + 0.01f);
+        EXPECT_NEAR(after.x, 0, 1e-6);
+        EXPECT_NEAR(after.y, 0, 1e-6);
+    }
+}
+
+TEST(Pbf, StopsAtTheToleranceButNotBeforeTheLeastIterations)
+{
+    LiquidCase drop;
+    const auto model = makePbf(drop.liquid, "minIterations 2; maxIterations 50; tolerance 1e-4; relaxation 1;");
+    const auto iterate = [&]
+    {
+        model->begin();
+        while (model->violated(drop.liquid, drop.near, drop.walls)) model->correct(drop.liquid, drop.near, drop.walls);
+        return model->iterations();
+    };
+    drop.place(latticeBlock(7, 7, 7, 1));
+    EXPECT_EQ(iterate(), 2);                            // the lattice is at rest density already
+    drop.place(latticeBlock(7, 7, 7, 0.9f));
+    const int needed = iterate();
+    EXPECT_GT(needed, 2);
+    EXPECT_LT(needed, 50);
+    EXPECT_LE(errorOf(drop), 1e-4);
+    drop.place({});
+    EXPECT_EQ(iterate(), 0);
+}
+
+// Unilateral: C < 0 counts as zero, so a pair in the gas feels nothing. Bilateral: it is drawn together.
+TEST(Pbf, PullsOnlyWhereItMay)
+{
+    for (const bool unilateral : {true, false})
+    {
+        LiquidCase drop;
+        const auto model = makePbf(drop.liquid, std::string("relaxation 1; unilateral ") + (unilateral ? "yes;" : "no;"));
+        drop.place({{0, 0, 0}, {1.2f, 0, 0}});
+        const float before = 1.2f * drop.liquid.spacing();
+        ASSERT_TRUE(model->violated(drop.liquid, drop.near, drop.walls));
+        model->correct(drop.liquid, drop.near, drop.walls);
+        const auto x = drop.inOrder(drop.liquid.predicted);
+        if (unilateral)
+        {
+            EXPECT_EQ(x[1].x - x[0].x, before);
+        }
+        else
+        {
+            EXPECT_LT(x[1].x - x[0].x, before - 0.01f);
+        }
+    }
+}
+
+TEST(Pbf, RefusesControlsOutOfRange)
+{
+    LiquidCase drop;
+    const std::pair<std::string, std::string> wrong[]
+    {
+        {"maxIterations", "0"}, {"minIterations", "11"}, {"minIterations", "-1"}, {"tolerance", "-1"},
+        {"relaxation", "2"}, {"relaxation", "0"}, {"epsilon", "-1"}
+    };
+    for (const auto& entry : wrong)
+    {
+        const auto make = [&] { makePbf(drop.liquid, entry.first + " " + entry.second + ";"); };
+        EXPECT_TRUE(holds(messageOf(make), {"system/solution", "'" + entry.first + "'"}));
+    }
+}

@@ -1,0 +1,70 @@
+#include "motion/Motion.H"
+
+#include "motion/LiquidState.H"
+#include "support/LiquidCase.H"
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+// Numbers that single precision holds exactly, so that the step is exact: p = x + dt u, p += dt^2 a, u = (p - x)/dt.
+TEST(Motion, PredictsDisplacesAndReadsTheVelocityOff)
+{
+    LiquidCase drop;
+    drop.liquid.resize(2);
+    drop.liquid.position.upload({{1, 2, 3}, {-1, 0, 0}});
+    drop.liquid.velocity.upload({{4, 0, -8}, {0, 0, 0}});
+    predictPositions(drop.liquid, 0.25f);
+    EXPECT_EQ(drop.liquid.predicted.download()[0].x, 2);
+    EXPECT_EQ(drop.liquid.predicted.download()[0].z, 1);
+    displace(drop.liquid, Buffer<Vec3>(std::vector<Vec3>{{0, 16, 0}, {0, 0, 32}}), 0.25f);
+    EXPECT_EQ(drop.liquid.predicted.download()[0].y, 3);
+    EXPECT_EQ(drop.liquid.predicted.download()[1].z, 2);
+    updateVelocities(drop.liquid, 0.25f);
+    const auto x = drop.liquid.position.download(), u = drop.liquid.velocity.download();
+    EXPECT_EQ(x[0].x, 2);
+    EXPECT_EQ(x[0].y, 3);
+    EXPECT_EQ(u[0].x, 4);
+    EXPECT_EQ(u[0].y, 4);
+    EXPECT_EQ(u[0].z, -8);
+    EXPECT_EQ(u[1].z, 8);
+}
+
+TEST(LiquidState, SumsTheLiquidInSIUnits)
+{
+    LiquidCase drop;            // 1e-6 kg and 1e-9 m3 a particle
+    drop.liquid.resize(3);
+    const Units& units = drop.liquid.units();
+    const auto length = [&](double si) { return units.toScaled(si, dimensions::length); };
+    const auto speed = [&](double si) { return units.toScaled(si, dimensions::velocity); };
+    drop.liquid.position.upload({{length(1), 0, 0}, {length(2), 0, length(3)}, {0, length(-6), 0}});
+    drop.liquid.velocity.upload({{speed(3), 0, speed(4)}, {0, 0, 0}, {0, speed(-1), 0}});
+    drop.liquid.density.upload({1.25f, 1, 0.5f});
+    const LiquidState state = LiquidStateMeter().measure(drop.liquid);
+    // Stored in single precision: 1e-7 of each number.
+    EXPECT_NEAR(state.volume, 2.8e-9, 1e-15);                   // 1/1.25 + 1 + 1
+    EXPECT_NEAR(state.kineticEnergy, 13e-6, 1e-11);             // (25 + 1)/2
+    EXPECT_NEAR(state.maxSpeed, 5, 1e-6);
+    EXPECT_NEAR(state.averageDensityError, 0.25 / 3, 1e-7);
+    EXPECT_EQ(state.maxDensityError, 0.25);
+    EXPECT_NEAR(state.centroid[0], 1, 1e-6);
+    EXPECT_NEAR(state.centroid[1], -2, 1e-6);
+    EXPECT_NEAR(state.centroid[2], 1, 1e-6);
+    EXPECT_NEAR(state.momentum[0], 3e-6, 1e-12);
+    EXPECT_NEAR(state.momentum[1], -1e-6, 1e-12);
+    EXPECT_NEAR(state.momentum[2], 4e-6, 1e-12);
+    EXPECT_EQ(state.nonFinite, 0);
+}
+
+TEST(LiquidState, CountsWhatIsNotANumber)
+{
+    LiquidCase drop;
+    drop.liquid.resize(4);
+    const float bad = std::numeric_limits<float>::quiet_NaN(), far = std::numeric_limits<float>::infinity();
+    drop.liquid.position.upload({{0, bad, 0}, {0, 0, 0}, {far, 0, 0}, {1, 0, 0}});
+    drop.liquid.velocity.upload({{0, 0, 0}, {0, 0, bad}, {0, 0, 0}, {0, 2, 0}});
+    drop.liquid.density.upload({1, 1, 1, 1});
+    const LiquidState state = LiquidStateMeter().measure(drop.liquid);
+    EXPECT_EQ(state.nonFinite, 3);
+    EXPECT_TRUE(std::isfinite(state.maxSpeed));                 // the others are measured
+    EXPECT_GT(state.maxSpeed, 0);
+}
