@@ -116,7 +116,7 @@ Pbf::Parameters readParameters(const Dictionary& dict, const Liquid& liquid)
     p.minIterations = dict.lookupOr("minIterations", 2);
     p.maxIterations = dict.lookupOr("maxIterations", 10);
     p.tolerance = dict.lookupOr("tolerance", 1e-3);
-    p.relaxation = float(dict.lookupOr("relaxation", 1.0));
+    p.relaxation = float(dict.lookupOr("relaxation", 0.3));
     p.epsilon = float(dict.lookupOr("epsilon", 1e-3)) * bulkSum(liquid);
     p.selfGradient = dict.lookupOr("selfGradient", true);
     p.unilateral = dict.lookupOr("unilateral", true);

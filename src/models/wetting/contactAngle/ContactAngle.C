@@ -8,7 +8,7 @@
 // wall would have, pi (h^2 - (s + d/2)^2)/d^2 of them, half a spacing inside the surface.
 //
 //     wetting             contactAngle;
-//     contactAngleCoeffs  { solidNormal zero; }
+//     contactAngleCoeffs  { solidNormal wall; }
 
 #include "models/surfaceTension/pairTension/CohesionSpline.H"
 #include "models/wetting/Wetting.H"
@@ -63,7 +63,7 @@ public:
     ContactAngle(const Dictionary& coeffs, Liquid& liquid, Walls& walls, const SurfaceTension& tension)
     :
         gamma_(requirePairCoefficients(tension, coeffs)),
-        solidNormal_(coeffs.lookupChoiceOr("solidNormal", {"wall", "zero"}, "zero") == "wall"),
+        solidNormal_(coeffs.lookupChoiceOr("solidNormal", {"wall", "zero"}, "wall") == "wall"),
         normal_(liquid.fields().require<Vec3>({.name = "normal", .dimensions = dimensions::none, .sorted = false}))
     {
         walls.requireContactAngles();
