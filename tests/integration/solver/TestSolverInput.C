@@ -316,6 +316,9 @@ TEST_P(Input, aDeviceThatIsNotThere)
         EXPECT_TRUE(holds(outcome.text, parts));
         EXPECT_TRUE(same(before, contents()));
     };
+    for (const std::string folder : {"bin", "lib"}) std::filesystem::create_directory(folder_.path()/folder);
+    const std::string core = "lib/libshizukuCore.so";
+    std::filesystem::create_symlink(environment("SHIZUKU_BUILD") + "/" + core, folder_.path()/core);
     for (const std::string application : {"pbfDroplet", "meshSurface"})
     {
         refusal(program(application) + " -device gpu", {"'gpu'", "auto", "cpu", "cuda"});
@@ -325,11 +328,11 @@ TEST_P(Input, aDeviceThatIsNotThere)
         {
             refusal("CUDA_VISIBLE_DEVICES= " + program(application) + " " + form, {"FATAL ERROR", "'cuda'", "cpu"});
         }
-        // An installation without modules.
-        std::filesystem::copy_file(program(application), folder_.path()/application);
+        // An installation that has the launcher and the core, but no module.
+        std::filesystem::copy_file(program(application), folder_.path()/"bin"/application);
         refusal
         (
-            (folder_.path()/application).string() + " -device cpu",
+            (folder_.path()/"bin"/application).string() + " -device cpu",
             {"'cpu'", "built without it", "lib" + application + "-cpu.so"}
         );
     }
