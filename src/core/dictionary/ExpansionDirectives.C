@@ -120,8 +120,10 @@ void Expansion::include(const Tree& directive, const std::function<void(const So
     std::optional<fs::path> file = directiveName == "includeEtc" ? findEtcFile(name) : includePath(name, files_.back());
     if (!file)
     {
+        std::string folders;
+        for (const fs::path& folder : etcFolders()) folders += (folders.empty() ? "" : ", ") + folder.string();
         throw FatalInputError(where, "#includeEtc \"" + name + "\": there is no such file",
-            "a file below $SHIZUKU_DIR/etc or ~/.shizuku");
+            "a file below one of " + folders);
     }
     if (!fs::is_regular_file(*file))
     {

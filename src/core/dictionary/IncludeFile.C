@@ -16,6 +16,14 @@ fs::path environmentPath(const char* variable)
     return value ? fs::path(value) : fs::path();
 }
 
+// The folder with build/bin/<program> in it; links to the program are followed. Empty where the system does not tell.
+fs::path installation()
+{
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    return program.parent_path().parent_path().parent_path();
+}
+
 }
 
 fs::path caseFolder(const fs::path& file)
@@ -27,11 +35,21 @@ fs::path caseFolder(const fs::path& file)
     }
 }
 
+std::vector<fs::path> etcFolders()
+{
+    std::vector<fs::path> folders
+    {
+        environmentPath("HOME")/".shizuku", environmentPath("SHIZUKU_DIR")/"etc", installation()/"etc"
+    };
+    std::erase_if(folders, [](const fs::path& folder) { return !folder.is_absolute(); });   // what is not set
+    return folders;
+}
+
 std::optional<fs::path> findEtcFile(const std::string& name)
 {
-    for (const fs::path& folder : {environmentPath("HOME")/".shizuku", environmentPath("SHIZUKU_DIR")/"etc"})
+    for (const fs::path& folder : etcFolders())
     {
-        if (folder.is_absolute() && fs::is_regular_file(folder/name)) return folder/name;
+        if (fs::is_regular_file(folder/name)) return folder/name;
     }
     return {};
 }

@@ -1,39 +1,23 @@
 // The application as a user runs it: what it prints, what it leaves in the file, how it fails.
 
+#include "support/Programs.H"
 #include "support/ScratchFolder.H"
 
 #include <gtest/gtest.h>
 
-#include <sys/wait.h>
-
-#include <cstdio>
-#include <cstdlib>
-
+using namespace shizuku;
 using namespace shizuku::test;
 
 namespace
 {
 
-struct Result
-{
-    int status;
-    std::string output;     // stdout and stderr
-};
-
 class CaseDictionary : public testing::Test
 {
 protected:
     // Arguments as in a shell, without the name of the application.
-    Result run(const std::string& arguments) const
+    Outcome run(const std::string& arguments) const
     {
-        const std::string build = std::getenv("SHIZUKU_BUILD");
-        const std::string command = build + "/bin/caseDictionary -case " + folder_.path().string() + " " + arguments
-            + " 2>&1";
-        FILE* pipe = popen(command.c_str(), "r");
-        std::string output;
-        char buffer[4096];
-        for (std::size_t n; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) output.append(buffer, n);
-        return {WEXITSTATUS(pclose(pipe)), output};
+        return test::run(program("caseDictionary") + " -case " + folder_.path().string() + " " + arguments);
     }
 
     std::string file() const { return folder_.read("constant/wettability"); }
@@ -57,21 +41,21 @@ protected:
 
 TEST_F(CaseDictionary, PrintsTheFileAsItStands)
 {
-    const Result result = run("constant/wettability");
+    const Outcome result = run("constant/wettability");
     EXPECT_EQ(result.status, 0);
-    EXPECT_EQ(result.output, text_);
+    EXPECT_EQ(result.text, text_);
 }
 
 TEST_F(CaseDictionary, PrintsExpandedEntriesValuesKeywordsAndJson)
 {
-    EXPECT_EQ(run("constant/wettability -entry floor.theta").output, "theta           60;\n");
-    EXPECT_EQ(run("constant/wettability -entry floor/theta -value").output, "60\n");
-    EXPECT_EQ(run("constant/wettability -keywords").output, "base\nfloor\n");
-    EXPECT_EQ(run("constant/wettability -entry floor -keywords").output, "theta\nregion\n");
-    EXPECT_EQ(run("constant/wettability -entry floor.region -json").output, "{\n    \"x\": 1\n}\n");
+    EXPECT_EQ(run("constant/wettability -entry floor.theta").text, "theta           60;\n");
+    EXPECT_EQ(run("constant/wettability -entry floor/theta -value").text, "60\n");
+    EXPECT_EQ(run("constant/wettability -keywords").text, "base\nfloor\n");
+    EXPECT_EQ(run("constant/wettability -entry floor -keywords").text, "theta\nregion\n");
+    EXPECT_EQ(run("constant/wettability -entry floor.region -json").text, "{\n    \"x\": 1\n}\n");
     EXPECT_EQ
     (
-        run("constant/wettability -expand").output,
+        run("constant/wettability -expand").text,
         "base            60;\nfloor\n{\n    theta           60;\n"
         "    region\n    {\n        x               1;\n    }\n}\n"
     );
@@ -87,9 +71,9 @@ TEST_F(CaseDictionary, SetChangesTheValueAlone)
     EXPECT_EQ(folder_.list("constant"), std::vector<std::string>{"wettability"});       // no temporary file is left
 
     EXPECT_EQ(run("constant/wettability -entry base -set -1.5e-3").status, 0);
-    EXPECT_EQ(run("constant/wettability -entry base -value").output, "-1.5e-3\n");
+    EXPECT_EQ(run("constant/wettability -entry base -value").text, "-1.5e-3\n");
     EXPECT_EQ(run("constant/wettability -entry base -set '{ c (1 2 3); }'").status, 0);
-    EXPECT_EQ(run("constant/wettability -entry base.c -value").output, "(1 2 3)\n");
+    EXPECT_EQ(run("constant/wettability -entry base.c -value").text, "(1 2 3)\n");
 }
 
 TEST_F(CaseDictionary, AddAndRemoveKeepEverythingElse)
@@ -100,7 +84,7 @@ TEST_F(CaseDictionary, AddAndRemoveKeepEverythingElse)
     expected.replace(expected.find("{x 1;}"), 6, "{x 1; y 2; }");
     expected.insert(expected.find("// end"), "roof { theta 90; }\n");
     EXPECT_EQ(file(), expected);
-    EXPECT_EQ(run("constant/wettability -entry roof.theta -value").output, "90\n");
+    EXPECT_EQ(run("constant/wettability -entry roof.theta -value").text, "90\n");
 
     EXPECT_EQ(run("constant/wettability -entry floor.region.y -remove").status, 0);
     EXPECT_EQ(run("constant/wettability -entry roof -remove").status, 0);
@@ -113,9 +97,9 @@ TEST_F(CaseDictionary, RefusesAndLeavesTheFileAlone)
 {
     const auto refuses = [&](const std::string& arguments, const std::vector<std::string>& parts)
     {
-        const Result result = run(arguments);
+        const Outcome result = run(arguments);
         EXPECT_EQ(result.status, 1) << arguments;
-        EXPECT_TRUE(holds(result.output, parts)) << arguments;
+        EXPECT_TRUE(holds(result.text, parts)) << arguments;
         EXPECT_EQ(file(), text_) << arguments;
     };
     refuses("constant/wettability -entry floor.teta -set 30",
@@ -131,4 +115,39 @@ TEST_F(CaseDictionary, RefusesAndLeavesTheFileAlone)
 
     folder_.write("constant/broken", "a 1;\nb { c 2 }\n");
     refuses("constant/broken -entry a -set 2", {"broken at line 2.", "a ';' before '}'"});
+}
+
+TEST_F(CaseDictionary, LooksForDefaultsInItsOwnInstallationLast)
+{
+    // An installation of its own: a copy of the program, the libraries beside it linked to.
+    const std::filesystem::path folder = folder_.path(), build = folder/"installation/build";
+    std::filesystem::create_directories(build/"bin");
+    std::filesystem::copy_file(program("caseDictionary"), build/"bin/caseDictionary");
+    std::filesystem::create_directory_symlink(environment("SHIZUKU_BUILD") + "/lib", build/"lib");
+    std::filesystem::create_symlink(build/"bin/caseDictionary", folder/"link");
+    folder_.write("installation/etc/liquids/water", "rho 3;");
+    folder_.write("dir/etc/liquids/water", "rho 2;");
+    folder_.write("home/.shizuku/liquids/water", "rho 1;");
+
+    // What a path to the program prints under environment variables, paths from the folder.
+    const auto rho = [&](const std::string& variables, const std::string& path)
+    {
+        return test::run("cd " + folder.string() + " && env -u SHIZUKU_DIR -u HOME " + variables + " ./" + path
+            + " dictionary -entry rho -value").text;
+    };
+    const std::string copy = "installation/build/bin/caseDictionary";
+    folder_.write("dictionary", "#includeEtc \"liquids/water\"\n");
+    EXPECT_EQ(rho("", copy), "3\n");
+    EXPECT_EQ(rho("", "link"), "3\n");
+    EXPECT_EQ(rho("SHIZUKU_DIR= HOME=", copy), "3\n");
+    EXPECT_EQ(rho("SHIZUKU_DIR=/nowhere HOME=/nowhere", copy), "3\n");
+    EXPECT_EQ(rho("SHIZUKU_DIR=$PWD/dir", copy), "2\n");
+    EXPECT_EQ(rho("SHIZUKU_DIR=$PWD/dir HOME=$PWD/home", copy), "1\n");
+
+    folder_.write("dictionary", "#includeEtc \"liquids/wine\"\n");
+    EXPECT_TRUE(holds
+    (
+        rho("SHIZUKU_DIR=/nowhere HOME=/none", copy),
+        {"liquids/wine", "at line 1.", "/none/.shizuku, /nowhere/etc, " + (folder/"installation/etc").string()}
+    ));
 }
