@@ -75,7 +75,11 @@ TEST_F(DropCase, ShizukuToVtkWritesAnimations)
         EXPECT_EQ(found, files);
         EXPECT_TRUE(fs::exists(path()/("VTK/" + name + ".pvd")));
     }
-    EXPECT_TRUE(holds(read("VTK/liquid/liquid_2.vtp"), {"\"U\"", "\"TimeValue\"", "\"particleSpacing\""}));
+    EXPECT_TRUE(holds
+    (
+        read("VTK/liquid/liquid_2.vtp"),
+        {"\"U\"", "\"TimeValue\"", "\"particleSpacing\"", "format=\"binary\"", "vtkZLibDataCompressor"}
+    ));
     EXPECT_TRUE(holds(read("VTK/solid/solid_0.vtp"), {"\"theta\"", "\"patch\"", "\"normals\""}));
 }
 
@@ -92,6 +96,12 @@ TEST_F(DropCase, ShizukuToVtkTakesFieldsTimesAndFormats)
     const std::string text = read("VTK/liquid/liquid_1.vtp");       // the same number with all times and without
     EXPECT_TRUE(holds(text, {"\"id\"", "format=\"ascii\""}));
     EXPECT_EQ(text.find("\"U\""), std::string::npos);
+
+    for (const std::string format : {"binary", "appended"})
+    {
+        ASSERT_EQ(call("shizukuToVTK", "-format " + format).status, 0);
+        EXPECT_TRUE(holds(read("VTK/liquid/liquid_1.vtp"), {"\"U\"", "format=\"" + format + "\""}));
+    }
 
     const Outcome unknown = call("shizukuToVTK", "-fields '(vorticity)'");
     EXPECT_NE(unknown.status, 0);

@@ -123,7 +123,12 @@ int main(int argc, char** argv)
 {
     std::vector<Option> options = timeSelectionOptions();
     options.push_back({"fields", "LIST", "fields of the liquid to be converted, e.g. \"(U id)\"; default: all", ""});
-    options.push_back({"format", "ascii|binary|appended", "how the numbers stand in the files", "appended"});
+    options.push_back
+    ({
+        "format", "ascii|binary|appended",
+        "how the numbers stand in the files; appended is the smallest, but not every VTK 9.1 reads it",
+        "binary"
+    });
     return runApplication
     (
         argc, argv,
