@@ -28,7 +28,10 @@ void PairSystem::prepare()
     const int reach = int(h / spacing) + 1;
     for (int i = -reach; i <= reach; ++i)
         for (int j = -reach; j <= reach; ++j)
-            for (int k = -reach; k <= reach; ++k) latticeSum += particleVolume * W(spacing * std::sqrt(i * i + j * j + k * k));
+            for (int k = -reach; k <= reach; ++k)
+            {
+                latticeSum += particleVolume * W(spacing * std::sqrt(i * i + j * j + k * k));
+            }
 
     volume.clear();
     for (const Vector3& k : solid)

@@ -104,9 +104,11 @@ TYPED_TEST(Kernel, IntegratesToOne)
 {
     constexpr double pi = std::numbers::pi;
     const auto& W = this->W;
-    EXPECT_NEAR(integrate(0, support, 2000, [&](double r) { return 4 * pi * r * r * W.W(float(r)); }), 1, 1e-6);
+    const auto ofValue = [&](double r) { return 4 * pi * r * r * W.W(float(r)); };
+    EXPECT_NEAR(integrate(0, support, 2000, ofValue), 1, 1e-6);
     // By parts: the kernel of the gradient has the integral -4 pi/3 int r^3 W' dr.
-    EXPECT_NEAR(integrate(0, support, 2000, [&](double r) { return -4 * pi / 3 * r * r * r * r * W.g(float(r)); }), 1, 1e-6);
+    const auto ofGradient = [&](double r) { return -4 * pi / 3 * r * r * r * r * W.g(float(r)); };
+    EXPECT_NEAR(integrate(0, support, 2000, ofGradient), 1, 1e-6);
 }
 
 TYPED_TEST(Kernel, HasNoGradientAtItsCentreAndOnALattice)

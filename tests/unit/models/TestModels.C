@@ -18,6 +18,11 @@ const Dictionary none = Dictionary::parse
     "pressure none; surfaceTension none; wetting none; viscosity none; bodyForce none;", "constant/models"
 );
 
+std::unique_ptr<SurfaceTension> makeTension(LiquidCase& drop, const std::string& word)
+{
+    return SurfaceTension::New(Dictionary::parse("surfaceTension " + word + ";"), drop.liquid, drop.walls);
+}
+
 // A choice of its own for one keyword, and a pair force for the wetting models to continue.
 Dictionary choosing(const std::string& keyword, const std::string& word)
 {
@@ -45,11 +50,11 @@ TEST(Models, AreMadeByEveryWord)
     }
     for (const auto& word : SurfaceTensionTable::words())
     {
-        const auto tension = SurfaceTension::New(Dictionary::parse("surfaceTension " + word + ";"), drop.liquid, drop.walls);
+        const auto tension = makeTension(drop, word);
         EXPECT_EQ(tension->active(), word != "none") << word;
         EXPECT_EQ(tension->pairCoefficients().has_value(), word != "none") << word;
     }
-    const auto tension = SurfaceTension::New(choosing("wetting", "none"), drop.liquid, drop.walls);
+    const auto tension = makeTension(drop, "Akinci2013");
     for (const auto& word : WettingTable::words())
     {
         const auto wetting = Wetting::New(choosing("wetting", word), drop.liquid, drop.walls, *tension);
@@ -69,10 +74,10 @@ TEST(Models, OfAnUnknownWordListTheChoices)
 {
     LiquidCase drop;
     const auto constant = drop.folder.path() / "constant";
-    const auto tension = SurfaceTension::New(none, drop.liquid, drop.walls);
+    const auto tension = makeTension(drop, "none");
     EXPECT_TRUE(holds(messageOf([&] { Pressure::New(choosing("pressure", "pbd"), Dictionary(), drop.liquid); }),
                       {"Unknown pressure model 'pbd'", "constant/models", "line 2", "Did you mean 'pbf'?", "none"}));
-    EXPECT_TRUE(holds(messageOf([&] { SurfaceTension::New(Dictionary::parse("surfaceTension akinci;"), drop.liquid, drop.walls); }),
+    EXPECT_TRUE(holds(messageOf([&] { makeTension(drop, "akinci"); }),
                       {"Unknown surfaceTension model 'akinci'", "Akinci2013", "Fujisawa2014", "none"}));
     EXPECT_TRUE(holds(messageOf([&] { Wetting::New(choosing("wetting", "angle"), drop.liquid, drop.walls, *tension); }),
                       {"Unknown wetting model 'angle'", "Akinci2013", "contactAngle", "none"}));
@@ -115,7 +120,7 @@ TEST(Models, AtAbsentWallsLaunchNothing)
 {
     LiquidCase drop;
     drop.place(latticeBall(3));
-    const auto tension = SurfaceTension::New(choosing("wetting", "none"), drop.liquid, drop.walls);
+    const auto tension = makeTension(drop, "Akinci2013");
     const auto wetting = Wetting::New(choosing("wetting", "contactAngle"), drop.liquid, drop.walls, *tension);
     Buffer<Vec3> acceleration(drop.liquid.all());
     acceleration.setZero();
@@ -136,7 +141,7 @@ TEST(Models, TogetherRefuseEntriesThatNobodyKnows)
         drop.folder.write("constant/models", chosen + more);
         return messageOf([&] { Models(drop.folder.path(), Dictionary(), drop.liquid, drop.walls); });
     };
-    EXPECT_EQ(make("XSPHCoeffs { c 0.1; } laminarCoeffs { noSlip no; }"), "no error");      // of models not chosen: may stay
+    EXPECT_EQ(make("XSPHCoeffs { c 0.1; } laminarCoeffs { noSlip no; }"), "no error");      // not chosen: may stay
     EXPECT_TRUE(holds(make("XSPHCoeffs { d 0.1; }"), {"constant/models", "line 2", "'d'"}));
     EXPECT_TRUE(holds(make("viscositee none;"), {"viscositee"}));
 }
@@ -161,5 +166,6 @@ TEST(InterParticleForces, ActInThePlaceThatForceCouplingChooses)
     }
     LiquidCase drop;
     const Dictionary wrong = Dictionary::parse("surfaceTension none; wetting none; forceCoupling once;");
-    EXPECT_TRUE(holds(messageOf([&] { InterParticleForces(wrong, drop.liquid, drop.walls); }), {"once", "predictor", "everyIteration"}));
+    const auto make = [&] { InterParticleForces(wrong, drop.liquid, drop.walls); };
+    EXPECT_TRUE(holds(messageOf(make), {"once", "predictor", "everyIteration"}));
 }

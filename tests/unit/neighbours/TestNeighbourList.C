@@ -20,7 +20,10 @@ namespace
 constexpr float support = 1.3f;
 
 // Sorts `sources` by cell as every caller does, and lists their neighbours by the numbers they had before.
-std::vector<std::vector<int>> neighboursOf(const std::vector<Vec3>& points, const std::vector<Vec3>& sources, bool sameSet)
+std::vector<std::vector<int>> neighboursOf
+(
+    const std::vector<Vec3>& points, const std::vector<Vec3>& sources, bool sameSet
+)
 {
     const Buffer<Vec3> unsorted(sources);
     CellGrid grid(support);

@@ -72,7 +72,8 @@ TEST(ParticleFiles, HoldSIValuesOfOwnedParticles)
     drop.liquid.position.upload({{1, 0, 0}, {0, -3, 0}, {9, 9, 9}});
     std::filesystem::create_directories(drop.folder.path() / "1/liquid");
     writeParticles(drop.liquid, drop.liquid.units(), drop.folder.path() / "1/liquid", {});
-    const FieldData positions = readField(drop.folder.path() / "1/liquid/positions", FieldType::vector, dimensions::length);
+    const auto file = drop.folder.path() / "1/liquid/positions";
+    const FieldData positions = readField(file, FieldType::vector, dimensions::length);
     ASSERT_EQ(positions.elements(), 2u);
     EXPECT_EQ(positions(0, 0), drop.liquid.units().length);         // powers of two, short enough for nine digits
     EXPECT_EQ(positions(1, 1), -3 * drop.liquid.units().length);

@@ -43,11 +43,15 @@ TEST(Units, ArePowersOfTwoNearTheGivenValues)
 // A power of two shifts the exponent: not one bit of a float is lost on the way to SI and back.
 TEST(Units, RoundTripBitwise)
 {
+    const Dimensions all[]
+    {
+        dimensions::none, dimensions::length, dimensions::velocity, dimensions::acceleration, dimensions::density,
+        dimensions::kinematicViscosity, dimensions::surfaceTension
+    };
     RandomNumbers random(11);
     for (const Units& units : unitsOfDrops())
     {
-        for (const Dimensions& d : {dimensions::length, dimensions::velocity, dimensions::acceleration, dimensions::density,
-                                    dimensions::kinematicViscosity, dimensions::surfaceTension, dimensions::none})
+        for (const Dimensions& d : all)
         {
             for (int i = 0; i < 200; ++i)
             {

@@ -44,8 +44,8 @@ void expectSurface(const TriangleMesh& mesh)
 }
 
 // The level set of a ball lies inward of its radius R by s^2/R, where 2 s^2 is the mean square radius of W in a plane
-// through its centre: s^2 = 0.0791 h^2 for the cubic spline, 0.316 spacings^2 here. The volume is short by 3 s^2/R^2 of N d^3.
-// 0.5 % for the steps of the lattice's edge and the facets.
+// through its centre: s^2 = 0.0791 h^2 for the cubic spline, 0.316 spacings^2 here. The volume is short by 3 s^2/R^2 of
+// N d^3. 0.5 % for the steps of the lattice's edge and the facets.
 TEST(LiquidSurface, ClosesAroundABall)
 {
     for (const float radius : {6.0f, 10.0f})
@@ -104,8 +104,8 @@ TEST(LiquidSurface, StaysASurfaceAroundScatteredLiquid)
     }
 }
 
-// A plane's face: phi = 1/2 half a spacing above the last layer by symmetry, but for the pattern that the lattice prints
-// through. Vertices stand where phi is 1/2 along an edge after one Newton step: 0.2 % of a spacing for both.
+// A plane's face: phi = 1/2 half a spacing above the last layer by symmetry, but for the pattern that the lattice
+// prints through. Vertices stand where phi is 1/2 along an edge after one Newton step: 0.2 % of a spacing for both.
 TEST(LiquidSurface, LiesHalfASpacingOutsideOfALayer)
 {
     const TriangleMesh mesh = meshOf(latticeBlock(16, 16, 8, 1), {.spacing = 1, .cell = 0.45f, .support = 2});

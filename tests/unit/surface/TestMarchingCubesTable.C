@@ -141,8 +141,8 @@ TEST(MarchingCubesTable, ClosesTheSurfaceAcrossEveryFace)
                 for (const auto& [side, times] : together)
                 {
                     ASSERT_EQ(times, 1) << "cases " << low << " and " << high << " across axis " << axis;
-                    const auto back = together.find({side.second, side.first});
-                    ASSERT_TRUE(back != together.end()) << "cases " << low << " and " << high << " across axis " << axis;
+                    ASSERT_TRUE(together.contains({side.second, side.first}))
+                        << "cases " << low << " and " << high << " across axis " << axis;
                 }
             }
         }
@@ -161,7 +161,7 @@ TEST(MarchingCubesTable, OrientsTrianglesOutOfTheInside)
             ASSERT_EQ(table.triangles[corners], 1);
             const auto p = middleOf(table.edges[corners][0]), q = middleOf(table.edges[corners][1]);
             const auto r = middleOf(table.edges[corners][2]);
-            double out = 0;         // triple product of (p - corner, q - corner, r - corner): the corner lies behind the triangle
+            double out = 0;         // triple product of p, q, r from the corner: positive where it lies behind them
             for (int k = 0; k < 3; ++k)
             {
                 const int i = (k + 1) % 3, j = (k + 2) % 3;

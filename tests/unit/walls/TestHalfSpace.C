@@ -97,13 +97,17 @@ TYPED_TEST(HalfSpace, GradientIsTheKernelsIntegralOverThePlane)
 {
     for (const float s : {-1.2f, -0.3f, 0.0f, 0.5f, 1.0f, 1.6f})
     {
-        const auto onPlane = [&](double rho) { return 2 * std::numbers::pi * rho * this->reference.smooth(std::hypot(rho, s)); };
+        const auto onPlane = [&](double rho)
+        {
+            return 2 * std::numbers::pi * rho * this->reference.smooth(std::hypot(rho, s));
+        };
         const double expected = integrate(0, support, 2000, onPlane);
         EXPECT_NEAR((*this)(s).gradient, expected, 2e-4 * (*this)(0).gradient) << s;
     }
 }
 
-// Where values and gradients share a kernel, -d density/ds over two steps of the table: (h/64)^2 f'''/24 apart, f''' < 100/h^3.
+// Where values and gradients share a kernel, -d density/ds over two steps of the table: (h/64)^2 f'''/24 apart, and
+// f''' < 100/h^3.
 TEST(HalfSpaceOfCubicSpline, GradientIsTheSlopeOfTheDensity)
 {
     const auto table = tabulateHalfSpace(CubicSpline(support));

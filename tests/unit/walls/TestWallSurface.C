@@ -27,7 +27,8 @@ TEST(WallSurface, PlaneHasTheDistanceAlongItsNormal)
 
 TEST(WallSurface, SphereHoldsOrIsSurroundedByLiquid)
 {
-    const WallSurface ball{WallSurface::sphere, {1, 0, 0}, {}, 2, 1, 0}, shell{WallSurface::sphere, {1, 0, 0}, {}, 2, -1, 0};
+    const WallSurface ball{WallSurface::sphere, {1, 0, 0}, {}, 2, 1, 0};
+    const WallSurface shell{WallSurface::sphere, {1, 0, 0}, {}, 2, -1, 0};
     expectPlace(ball, {1, 3, 4}, 3, {0, 0.6f, 0.8f});
     expectPlace(shell, {1, 3, 4}, -3, {0, -0.6f, -0.8f});
     expectPlace(ball, {1, 0, -0.5f}, -1.5f, {0, 0, -1});
@@ -38,9 +39,9 @@ TEST(WallSurface, SphereHoldsOrIsSurroundedByLiquid)
 
 TEST(WallSurface, CylinderHasNoEnds)
 {
-    const Vec3 axis{0, 0.6f, 0.8f}, across{0, -0.8f, 0.6f};
-    const WallSurface rod{WallSurface::cylinder, {1, 1, 1}, axis, 0.5f, 1, 0}, tube{WallSurface::cylinder, {1, 1, 1}, axis, 0.5f, -1, 0};
-    const Vec3 point{1, 1, 1};
+    const Vec3 point{1, 1, 1}, axis{0, 0.6f, 0.8f}, across{0, -0.8f, 0.6f};
+    const WallSurface rod{WallSurface::cylinder, point, axis, 0.5f, 1, 0};
+    const WallSurface tube{WallSurface::cylinder, point, axis, 0.5f, -1, 0};
     expectPlace(rod, point + 3 * axis + 2 * across, 1.5f, across);
     expectPlace(tube, point - 2 * axis + 0.25f * across, 0.25f, -across);
     expectPlace(tube, point + 1 * axis + 0.75f * Vec3{1, 0, 0}, -0.25f, {-1, 0, 0});

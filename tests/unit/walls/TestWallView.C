@@ -53,19 +53,20 @@ TEST_F(WallSurfaces, FillEdgesAndCornersBySymmetry)
     EXPECT_NEAR(planes({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}).density({0, 0, 0}).value, 0.875, 1e-6);
 }
 
-// The union's volume by a midpoint sum over a grid of h/40. A spline is not separable, so the product is an approximation:
-// it is off by 1.5e-3 of the full density at most, and the sum by as much again.
+// The union's volume by a midpoint sum over a grid of h/40. A spline is not separable, so the product is an
+// approximation: it is off by 1.5e-3 of the full density at most, and the sum by as much again.
 TEST_F(WallSurfaces, ApproachTheUnionOfTwoPerpendicularPlanes)
 {
     const WallSurfacesView edge = planes({{1, 0, 0}, {0, 0, 1}});
     constexpr int n = 40;
+    constexpr float step = support / n, first = step / 2 - support;
+    const auto around = latticeBlock(2 * n, 2 * n, 2 * n, step, {first, first, first});
     for (const float x : {0.25f, 0.5f, 0.75f, 1.25f})
     {
         for (const float z : {0.25f, 0.5f, 1.0f})
         {
             double sum = 0;
-            const float step = support / n;
-            for (const Vec3& r : latticeBlock(2 * n, 2 * n, 2 * n, step, {step / 2 - support, step / 2 - support, step / 2 - support}))
+            for (const Vec3& r : around)
             {
                 if (x + r.x < 0 || z + r.z < 0) sum += W.W(norm(r)) * step * step * step;
             }
@@ -83,7 +84,10 @@ TEST_F(WallSurfaces, GradientIsThatOfTheUnion)
     for (const Vec3 x : randomPoints(200, {0, 0, 0}, {1.5f, 1.5f, 1.5f}))
     {
         const Vec3 gradient = corner.density(x).gradient;
-        const auto difference = [&](Vec3 by) { return (corner.density(x + by).value - corner.density(x - by).value) / (2 * step); };
+        const auto difference = [&](Vec3 by)
+        {
+            return (corner.density(x + by).value - corner.density(x - by).value) / (2 * step);
+        };
         EXPECT_NEAR(gradient.x, difference({step, 0, 0}), 0.01f * largest);
         EXPECT_NEAR(gradient.y, difference({0, step, 0}), 0.01f * largest);
         EXPECT_NEAR(gradient.z, difference({0, 0, step}), 0.01f * largest);

@@ -18,11 +18,13 @@ std::string refusalOf(const CaseText& text)
 
 }
 
-// Equation (9) by direct sums over the whole layer, its rim included. Float distances and sums: a few 1e-6 at the steep flank.
+// Equation (9) by direct sums over the whole layer, its rim included. Float distances and sums: a few 1e-6 at the steep
+// flank.
 TEST(Walls, GiveSolidParticlesTheirVirtualVolumes)
 {
-    for (const auto& [kernel, isSpline] : {std::pair{"type cubicSpline; support 2;", true}, {"type poly6Spiky; support 2.5;", false}})
+    for (const bool isSpline : {true, false})
     {
+        const std::string kernel = isSpline ? "type cubicSpline; support 2;" : "type poly6Spiky; support 2.5;";
         const auto layer = latticeBlock(15, 13, 1, 0.9f, {-7, -6, -0.5f});
         const LiquidCase walls({.kernel = kernel, .walls = sampledFloor, .solidPositions = layer});
         const double d = walls.liquid.spacing(), h = walls.liquid.support();
@@ -83,9 +85,10 @@ TEST(Walls, RefuseLiquidThatStartsInTheSolid)
 {
     LiquidCase drop({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }"});
     drop.place({{0, 0, 0.26f}, {2, 0, 3}});
-    EXPECT_EQ(messageOf([&] { drop.walls.refuseLiquidInside(drop.liquid); }), "no error");
+    const auto check = [&] { drop.walls.refuseLiquidInside(drop.liquid); };
+    EXPECT_EQ(messageOf(check), "no error");
     drop.place({{0, 0, 0.5f}, {2, 0, 0.24f}});
-    EXPECT_TRUE(holds(messageOf([&] { drop.walls.refuseLiquidInside(drop.liquid); }), {"constant/walls", "floor", "0.0002"}));
+    EXPECT_TRUE(holds(messageOf(check), {"constant/walls", "floor", "0.0002"}));
 }
 
 TEST(Walls, CountABoxAsSixSurfaces)
@@ -104,8 +107,9 @@ TEST(Walls, CountABoxAsSixSurfaces)
     }
     EXPECT_NEAR(nearest, 0.5f, 1e-6);
     EXPECT_NEAR(sum, 6, 1e-5);          // the box's three edges together
-    EXPECT_TRUE(holds(refusalOf({.walls = "a { type box; min (0 0 0); max (1 1 1); } b { type box; min (0 0 0); max (1 1 1); }"
-                                          "c { type plane; point (0 0 0); normal (0 0 1); }"}),
+    const std::string twoBoxes = "a { type box; min (0 0 0); max (1 1 1); } b { type box; min (0 0 0); max (1 1 1); }";
+    EXPECT_EQ(refusalOf({.walls = twoBoxes}), "no error");
+    EXPECT_TRUE(holds(refusalOf({.walls = twoBoxes + "c { type plane; point (0 0 0); normal (0 0 1); }"}),
                       {"constant/walls", "at most 12"}));
 }
 
@@ -128,5 +132,6 @@ TEST(Walls, ReadContactAnglesOfSurfaces)
         EXPECT_NEAR(drop.walls.view().surfaces.surface[0].cosTheta, cosine, 1e-7);
     }
     LiquidCase wrong({.walls = plane, .wettability = "floor { theta 181; }"});
-    EXPECT_TRUE(holds(messageOf([&] { wrong.walls.requireContactAngles(); }), {"constant/wettability", "181", "0 to 180"}));
+    EXPECT_TRUE(holds(messageOf([&] { wrong.walls.requireContactAngles(); }),
+                      {"constant/wettability", "181", "0 to 180"}));
 }

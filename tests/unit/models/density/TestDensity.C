@@ -9,7 +9,10 @@ using namespace shizuku::test;
 namespace
 {
 
-constexpr const char* kernelTexts[] = {"type cubicSpline; support 2;", "type cubicSpline; support 2.7;", "type poly6Spiky; support 2.4;"};
+constexpr const char* kernelTexts[]
+{
+    "type cubicSpline; support 2;", "type cubicSpline; support 2.7;", "type poly6Spiky; support 2.4;"
+};
 
 }
 
@@ -52,7 +55,8 @@ TEST(Density, OfALoneParticleIsItsOwnShare)
 TEST(Density, AddsTheSharesOfWalls)
 {
     const auto solid = latticeBlock(15, 15, 1, 0.9f, {-6.3f, -6.3f, -0.5f});
-    LiquidCase drop({.walls = "floor { type particles; surface \"floor.stl\"; } side { type plane; point (-3e-3 0 0); normal (1 0 0); }",
+    LiquidCase drop({.walls = "floor { type particles; surface \"floor.stl\"; }"
+                              "side { type plane; point (-3e-3 0 0); normal (1 0 0); }",
                      .solidPositions = solid});
     const auto points = randomPoints(200, {-3, -3, 0.2f}, {3, 3, 4});
     drop.place(points);

@@ -43,7 +43,8 @@ TEST(Viscosity, LeavesUniformMotionAlone)
     {
         LiquidCase drop;
         drop.place(latticeBall(3), std::vector<Vec3>(latticeBall(3).size(), {1, -2, 0.3f}));
-        Viscosity::New(Dictionary::parse("viscosity " + word + ";"), drop.liquid)->apply(drop.liquid, drop.near, drop.walls, 0.1f);
+        const auto model = Viscosity::New(Dictionary::parse("viscosity " + word + ";"), drop.liquid);
+        model->apply(drop.liquid, drop.near, drop.walls, 0.1f);
         for (const Vec3& u : drop.liquid.velocity.download())
         {
             ASSERT_EQ(u.x, 1);          // differences of equal velocities are zero: bitwise

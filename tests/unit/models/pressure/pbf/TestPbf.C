@@ -131,7 +131,8 @@ TEST(Pbf, PullsOnlyWhereItMay)
     for (const bool unilateral : {true, false})
     {
         LiquidCase drop;
-        const auto model = makePbf(drop.liquid, std::string("relaxation 1; unilateral ") + (unilateral ? "yes;" : "no;"));
+        const std::string choice = unilateral ? "yes" : "no";
+        const auto model = makePbf(drop.liquid, "relaxation 1; unilateral " + choice + ";");
         drop.place({{0, 0, 0}, {1.2f, 0, 0}});
         const float before = 1.2f * drop.liquid.spacing();
         ASSERT_TRUE(model->violated(drop.liquid, drop.near, drop.walls));

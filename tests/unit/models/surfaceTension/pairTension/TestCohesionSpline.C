@@ -45,8 +45,8 @@ TEST(CohesionSpline, ScalesAsOneOverTheVolume)
     for (const float q : {0.1f, 0.3f, 0.5f, 0.8f}) EXPECT_NEAR(8 * twice(2 * q * h), C(q * h), 2e-7f * unit) << q;
 }
 
-// The work to pull two half-spaces apart, which makes two surfaces: force per area at a gap is the pull of one half-space
-// on all layers of the other. Integrated over shells and gap, without the closed form of Kirkwood and Buff.
+// The work to pull two half-spaces apart, which makes two surfaces: force per area at a gap is the pull of one
+// half-space on all layers of the other. Integrated over shells and gap, without the closed form of Kirkwood and Buff.
 TEST(CohesionSpline, CoefficientGivesTheWorkOfCohesion)
 {
     const double support = 2.56e-4, density = 998, sigma = 0.0728;

@@ -66,7 +66,8 @@ TEST(PairTension, EqualsTheSumOverAllPairsNearSolidParticles)
         reference.solidCosTheta = 0.5;
         reference.wallNormals = wallNormals;
         reference.prepare();
-        EXPECT_TRUE(agree(accelerationsOf(drop, *tension), drop.liquid.units(), reference.tension(), tolerance)) << wallNormals;
+        EXPECT_TRUE(agree(accelerationsOf(drop, *tension), drop.liquid.units(), reference.tension(), tolerance))
+            << wallNormals;
     }
 }
 
@@ -75,7 +76,8 @@ TEST(PairTension, EqualsTheSumOverAllPairsNearAnAnalyticFloor)
 {
     for (const bool wallNormals : {false, true})
     {
-        LiquidCase drop({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }", .wettability = "floor { theta 120; }"});
+        LiquidCase drop({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }",
+                         .wettability = "floor { theta 120; }"});
         const auto tension = makeTension(drop, wallNormals ? "Fujisawa2014" : "Akinci2013");
         drop.place(points);
         auto reference = pairSystem<CubicSpline>(drop, points);
@@ -83,7 +85,8 @@ TEST(PairTension, EqualsTheSumOverAllPairsNearAnAnalyticFloor)
         reference.floorCosTheta = -0.5;
         reference.wallNormals = wallNormals;
         reference.prepare();
-        EXPECT_TRUE(agree(accelerationsOf(drop, *tension), drop.liquid.units(), reference.tension(), 1e-3)) << wallNormals;
+        EXPECT_TRUE(agree(accelerationsOf(drop, *tension), drop.liquid.units(), reference.tension(), 1e-3))
+            << wallNormals;
     }
 }
 
@@ -135,7 +138,8 @@ TEST(PairTension, TakesItsCoefficientFromSigmaUnlessGiven)
     {
         const auto tension = SurfaceTension::New
         (
-            Dictionary::parse("surfaceTension Fujisawa2014; Fujisawa2014Coeffs { " + coeffs + " }"), drop.liquid, drop.walls
+            Dictionary::parse("surfaceTension Fujisawa2014; Fujisawa2014Coeffs { " + coeffs + " }"),
+            drop.liquid, drop.walls
         );
         return *tension->pairCoefficients();
     };

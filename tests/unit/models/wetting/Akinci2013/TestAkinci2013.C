@@ -25,13 +25,14 @@ std::vector<Vec3> adhesionOf(LiquidCase& drop, const std::string& models)
 // A(r) in SI, with the root's argument as the paper writes it.
 double adhesion(double r, double h)
 {
-    return r <= h / 2 || r > h ? 0 : 0.007 / std::pow(h, 3.25) * std::pow(std::max(-4 * r * r / h + 6 * r - 2 * h, 0.0), 0.25);
+    if (r <= h / 2 || r > h) return 0;
+    return 0.007 / std::pow(h, 3.25) * std::pow(std::max(-4 * r * r / h + 6 * r - 2 * h, 0.0), 0.25);
 }
 
 }
 
-// One solid particle and liquid at all distances. At h/2 and h the root's argument is a difference of numbers of order one,
-// whose rounding, 5e-7, comes out of the fourth root as 0.03: there only that it is a number, and small.
+// One solid particle and liquid at all distances. At h/2 and h the root's argument is a difference of numbers of order
+// one, whose rounding, 5e-7, comes out of the fourth root as 0.03: there only that it is a number, and small.
 TEST(Akinci2013Wetting, EqualsItsFormulaAndIsANumberEverywhere)
 {
     LiquidCase drop({.walls = sampledFloor, .solidPositions = {{0, 0, 0}}});
@@ -93,6 +94,7 @@ TEST(Akinci2013Wetting, RefusesWhatItCannotDo)
     EXPECT_TRUE(holds(refusal({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }"},
                               "surfaceTension none; wetting Akinci2013; Akinci2013Coeffs { beta 1; }"),
                       {"analytic walls", "type particles"}));
-    EXPECT_TRUE(holds(refusal({}, "surfaceTension none; wetting Akinci2013;"), {"surfaceTension Akinci2013 or Fujisawa2014"}));
-    EXPECT_TRUE(holds(refusal({}, "surfaceTension none; wetting Akinci2013; Akinci2013Coeffs { beta -1; }"), {"beta"}));
+    const std::string alone = "surfaceTension none; wetting Akinci2013;";
+    EXPECT_TRUE(holds(refusal({}, alone), {"surfaceTension Akinci2013 or Fujisawa2014"}));
+    EXPECT_TRUE(holds(refusal({}, alone + " Akinci2013Coeffs { beta -1; }"), {"beta"}));
 }

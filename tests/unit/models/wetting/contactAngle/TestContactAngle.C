@@ -57,14 +57,16 @@ TEST(ContactAngleWetting, EqualsTheIntegralOverAnAnalyticFloor)
 {
     for (const std::string solidNormal : {"zero", "wall"})
     {
-        LiquidCase drop({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }", .wettability = "floor { theta 60; }"});
+        LiquidCase drop({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }",
+                         .wettability = "floor { theta 60; }"});
         auto reference = pairSystem<CubicSpline>(drop, points);
         reference.floor = true;
         reference.floorCosTheta = 0.5;
         reference.solidNormal = Vector3(0, 0, solidNormal == "wall" ? 1 : 0);
         reference.wallNormals = true;
         reference.prepare();
-        EXPECT_TRUE(agree(wettingOf(drop, points, solidNormal), drop.liquid.units(), reference.wetting(), 1e-3)) << solidNormal;
+        EXPECT_TRUE(agree(wettingOf(drop, points, solidNormal), drop.liquid.units(), reference.wetting(), 1e-3))
+            << solidNormal;
     }
 }
 
