@@ -27,8 +27,8 @@ void upload(AnyBuffer& values, const FieldData& data, const std::filesystem::pat
         const double value = data(i, c) / unit;
         if (std::abs(value) < most) return float(value);
         std::ostringstream text;
-        text << "The value " << data(i, c) << " of element " << i << " is too large";
-        throw FatalInputError({file.string(), 0}, text.str(), "SI values of a particle");
+        text << "The value " << data(i, c) << " of element " << i << " is too large for the spacing and the liquid";
+        throw FatalInputError({file.string(), 0}, text.str(), "SI values here, and for spacing, rho and sigma too");
     };
     if (auto* scalars = std::get_if<Buffer<float>>(&values))
     {

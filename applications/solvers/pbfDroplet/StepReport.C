@@ -42,7 +42,7 @@ void refuseDivergence
              << steps.dt << " s.";
     }
     text << "\n    The last good state is kept in " << lastWritten
-         << ".\n    Try a smaller deltaT, maxCo or maxCapillaryCo or adjustTimeStep yes in system/controlDict,"
+         << ".\n    Try adjustTimeStep yes, or a smaller deltaT, maxCo or maxCapillaryCo in system/controlDict,"
             " or more iterations in system/solution.";
     throw FatalError(text.str());
 }

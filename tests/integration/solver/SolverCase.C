@@ -45,6 +45,8 @@ std::vector<std::string> devices()
 
 SolverCase::SolverCase()
 {
+    // Threads that wait by spinning take each other's core where other tests run beside this one.
+    setenv("OMP_WAIT_POLICY", "passive", 1);
     control();
     write("system/solution", "spacing 1e-3;\npressure { maxIterations 6; }\n");
     write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma 0.0728;\n");
@@ -71,7 +73,8 @@ SolverCase::SolverCase()
     solid.normals.assign(solids, {0, 0, 1});
     solid.patch.assign(solids, 0);
     writeSolidParticles(path(), solid, {});
-    writeField(path()/"0/solid/theta", {"theta", FieldType::scalar, dimensions::none, false, std::vector(solids, 60.0)}, {});
+    const std::vector theta(solids, 60.0);
+    writeField(path()/"0/solid/theta", {"theta", FieldType::scalar, dimensions::none, false, theta}, {});
 }
 
 void SolverCase::control(const std::string& more) const

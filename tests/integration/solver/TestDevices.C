@@ -66,8 +66,8 @@ TEST_P(Devices, agreeOnOneStep)
     const Outcome outcome = on(device(), "pbfDroplet");
     ASSERT_EQ(outcome.status, 0) << outcome.text;
 
-    // Positions are sums of some dozens of floats of a few spacings: an ulp at 4 spacings is 4.8e-7 of a spacing, sums are
-    // made in another order and with other fused operations, and four iterations add up what each of them leaves.
+    // Positions are sums of some dozens of floats of a few spacings: an ulp at 4 spacings is 4.8e-7 of a spacing,
+    // sums are made in another order and with other fused operations, and four iterations add up what each leaves.
     const double tolerance = 1e-5*spacing;
     EXPECT_LT(difference(folder_.path()/"cpu", path()/"0.0002", "positions"), tolerance);
     EXPECT_LT(difference(folder_.path()/"cpu", path()/"0.0002", "U"), 2*tolerance/dt);      // both ends of the step

@@ -63,7 +63,8 @@ TEST_P(Input, theCaseItselfIsGood)
 
 TEST_P(Input, missingCase)
 {
-    const Outcome outcome = run(program("pbfDroplet") + " -device " + device() + " -case " + (path()/"absent").string());
+    const std::string absent = (path()/"absent").string();
+    const Outcome outcome = run(program("pbfDroplet") + " -device " + device() + " -case " + absent);
     EXPECT_EQ(outcome.status, 1);
     EXPECT_TRUE(holds(outcome.text, {"FATAL IO ERROR", "case directory does not exist", "case/absent", "-case DIR"}));
     expectMissing("system/controlDict", {"not a case", "system/controlDict is missing"});
@@ -290,9 +291,10 @@ TEST_P(Input, binaryFields)
         ASSERT_GT(whole.size(), std::size_t(12*particles));
         write(name, whole.substr(0, whole.size() - 1000));
         expectRefusal({"truncated", "element", "294 elements of 12 bytes", name});
+        // In the last vector, which stands before ");\n".
         std::string poisoned = whole;
         const float bad = std::numeric_limits<float>::quiet_NaN();
-        poisoned.replace(whole.size() - 15, 4, reinterpret_cast<const char*>(&bad), 4);   // the last vector, ");\n" behind
+        poisoned.replace(whole.size() - 15, 4, reinterpret_cast<const char*>(&bad), 4);
         write(name, poisoned);
         expectRefusal({"element 293 is NaN", name});
         write(name, whole);
@@ -369,7 +371,8 @@ TEST_P(Input, aFullDisk)
     EXPECT_EQ(outcome.status, 1) << outcome.text;
     EXPECT_TRUE(holds(outcome.text, {"Cannot write", "liquidState.csv", "File too large"}));
     // The fields of the time are whole.
-    EXPECT_EQ(readField(path()/"0.1/liquid/U", FieldType::vector, dimensions::velocity).elements(), std::size_t(particles));
+    const FieldData U = readField(path()/"0.1/liquid/U", FieldType::vector, dimensions::velocity);
+    EXPECT_EQ(U.elements(), std::size_t(particles));
     for (const auto& [name, bytes] : contents()) EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
 }
 
@@ -378,14 +381,11 @@ TEST_P(Input, aRunThatDiverges)
     ASSERT_EQ(solve().status, 0);
     // Finite, but absurd.
     control("adjustTimeStep no; deltaT 1; endTime 10;");
-    expectRefusal
-    (
-        {"diverged", "m/s", "particle spacings in one step of 1 s", "last good state is kept in " + (path()/"0.004").string(),
-         "deltaT"}
-    );
+    const std::string kept = "last good state is kept in " + (path()/"0.004").string();
+    expectRefusal({"diverged", "m/s", "particle spacings in one step of 1 s", kept, "deltaT"});
     // Not finite.
     control("adjustTimeStep no; deltaT 1e30; endTime 1e31;");
-    expectRefusal({"diverged", "294 particles is not a finite number", "kept in " + (path()/"0.004").string()});
+    expectRefusal({"diverged", "294 particles is not a finite number", kept});
     // With sub-steps it needs too many of them.
     control("deltaT 10; endTime 100;");
     expectRefusal({"sub-steps", "maxSubSteps 1000", "deltaT"});

@@ -40,7 +40,7 @@ protected:
         const Outcome outcome = solve();
         ASSERT_EQ(outcome.status, 0) << outcome.text;
         EXPECT_TRUE(same(expected, results()));
-        for (const std::string& name : folder_.list("case")) EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
+        for (const std::string& name : folder_.list("case")) EXPECT_FALSE(name.ends_with(".partial")) << name;
     }
 
     void expectRestart(const std::string& format) const

@@ -217,8 +217,8 @@ TEST_P(Steps, theHeaderNamesDeviceAndCase)
     (
         outcome.text,
         {
-            "Build  : ", "Host   : ", "PID    : ", "Case   : " + path().string(), "Device : " + device(),
-            "ExecutionTime = ", "ClockTime = ", "kinetic energy", "volume = ", "density error average", "(100 %", "\nEnd\n"
+            "Build  : ", "Host   : ", "PID    : ", "Case   : " + path().string(), "Device : " + device(), "(100 %",
+            "kinetic energy", "volume = ", "density error average", "ExecutionTime = ", "ClockTime = ", "\nEnd\n"
         }
     ));
 }
