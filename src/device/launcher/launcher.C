@@ -78,12 +78,20 @@ void* openFor(const std::string& device)
     return module;
 }
 
+// Threads of the CPU backend that wait for the others shall soon sleep: spinning ones starve them where cores are shared.
+// Ten thousand turns outlast the gaps inside of a step. What the user set stays.
+void letWaitingThreadsSleep()
+{
+    setenv("GOMP_SPINCOUNT", "10000", 0);
+}
+
 }
 
 int main(int argc, char** argv)
 {
     try
     {
+        letWaitingThreadsSleep();
         const auto run = reinterpret_cast<EntryPoint>(dlsym(openFor(deviceOption(argc, argv)), "runOnDevice"));
         if (!run) throw FatalError("The module of " SHIZUKU_APPLICATION " has no entry point");
         return run(argc, argv);
