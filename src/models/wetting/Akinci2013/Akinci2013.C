@@ -2,12 +2,16 @@
 //
 //     a_ik = -beta rho0 V_k A(r) r_ik/r,   A(r) = 0.007/h^3.25 (-4 r^2/h + 6 r - 2 h)^(1/4)   for h/2 < r <= h
 //
-// The root's argument is rounded below zero near r = h and r = h/2; it is clamped there. Its theory gives no way from
-// theta to beta: beta = gamma (1 + cos theta)/2, the cohesion's share by equation (30), unless the case gives a number.
+// The root's argument is rounded below zero near r = h and r = h/2; it is clamped there. The paper gives no way from
+// theta to beta. Unless the case gives a number, adhesion does the share (1 + cos theta)/2 of cohesion's work, equation
+// (28) of Fujisawa et al. 2014 as an integral:
+//
+//     beta = gamma (1 + cos theta)/2  int C r^4 dr / int A r^4 dr
 //
 //     wetting           Akinci2013;
 //     Akinci2013Coeffs  { beta 1.2; }         // m4/(kg s2)
 
+#include "models/surfaceTension/pairTension/CohesionSpline.H"
 #include "models/wetting/Wetting.H"
 
 namespace shizuku
@@ -33,7 +37,8 @@ struct AdhesionSpline
 struct Adhesion
 {
     AdhesionSpline A;
-    float gamma, beta;                  // beta < 0: from gamma and theta
+    float fullBeta;                     // of theta = 0
+    float beta;                         // the case's number; negative: from fullBeta and theta
     float restDensity;
     Span<const Vec3> x;
     WallParticlesView solid;
@@ -47,7 +52,7 @@ struct Adhesion
         {
             const Vec3 r = xi - solid.position[k];
             const float distance = norm(r);
-            const float strength = beta < 0 ? 0.5f * gamma * (1 + solid.cosTheta[k]) : beta;
+            const float strength = beta < 0 ? 0.5f * fullBeta * (1 + solid.cosTheta[k]) : beta;
             if (distance > 0) sum -= strength * restDensity * solid.volume[k] * A(distance) / distance * r;
         });
         acceleration[i] += sum;
@@ -59,7 +64,7 @@ class Akinci2013 : public Wetting
 public:
     Akinci2013(const Dictionary& coeffs, Liquid& liquid, Walls& walls, const SurfaceTension& tension)
     :
-        gamma_(0), beta_(-1)
+        fullBeta_(0), beta_(-1)
     {
         if (coeffs.found("beta"))
         {
@@ -70,7 +75,8 @@ public:
         }
         else
         {
-            gamma_ = requirePairCoefficients(tension, coeffs).cohesion;
+            const double ratio = separationIntegral(CohesionSpline{1}) / separationIntegral(AdhesionSpline{1});
+            fullBeta_ = float(ratio * requirePairCoefficients(tension, coeffs).cohesion);
             walls.requireContactAngles();
         }
         if (walls.surfaces() > 0)
@@ -88,13 +94,13 @@ public:
         if (walls.particles() == 0) return;
         forEach(liquid.owned(), Adhesion
         {
-            {liquid.support()}, gamma_, beta_, liquid.restDensity(), liquid.predicted.span(), walls.view().particles,
+            {liquid.support()}, fullBeta_, beta_, liquid.restDensity(), liquid.predicted.span(), walls.view().particles,
             acceleration.span()
         });
     }
 
 private:
-    float gamma_, beta_;
+    float fullBeta_, beta_;
 };
 
 const WettingTable::Add<Akinci2013> registered{"Akinci2013"};
