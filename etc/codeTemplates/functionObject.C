@@ -1,0 +1,47 @@
+// How far the liquid's centroid has moved since the first step of the run. (What is measured, and from which source.)
+//
+//     drift { type @word@; }
+//
+// A row a step in postProcessing/drift/<start time>/@word@.csv.
+
+#include "core/fieldFile/CsvFile.H"
+#include "functionObjects/FunctionObject.H"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace shizuku
+{
+
+namespace
+{
+
+class @class@ : public FunctionObject
+{
+public:
+    @class@(const Dictionary&, const std::filesystem::path& folder)
+    :
+        table_(folder / "@word@.csv", {{"time", "s"}, {"distance", "m"}})
+    {}
+
+    void execute(const Time& time, const LiquidState& state) override
+    {
+        if (!first_) first_ = state.centroid;
+        const auto& a = *first_;
+        const auto& b = state.centroid;
+        table_.addRow({time.value(), std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2])});
+    }
+
+    void write() override { table_.write(); }
+
+private:
+    std::optional<std::array<double, 3>> first_;        // m
+    CsvFile table_;
+};
+
+const FunctionObjectTable::Add<@class@> registered{"@word@"};
+
+}
+
+}

@@ -1,0 +1,70 @@
+// Particles that are closer than a spacing move apart, a fixed number of times. (Equation and source of the model.)
+//
+//     x_i += mean over close j of (d - r)/2 r_ij/r
+//
+//     pressure    @word@;
+//     system/solution:   pressure { iterations 4; }
+
+#include "models/pressure/Pressure.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct Separate
+{
+    float spacing;
+    Span<const Vec3> x;
+    NeighbourView near;
+    Span<Vec3> corrected;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 xi = x[i];
+        Vec3 sum;
+        int close = 0;
+        near.forEach(i, [&](int j)
+        {
+            const Vec3 r = xi - x[j];
+            const float distance = norm(r);
+            if (distance == 0 || distance >= spacing) return;
+            sum += 0.5f * (spacing - distance) / distance * r;
+            ++close;
+        });
+        corrected[i] = close > 0 ? xi + 1.0f / float(close) * sum : xi;
+    }
+};
+
+class @class@ : public Pressure
+{
+public:
+    @class@(const Dictionary& dict, Liquid&) : iterations_(dict.lookupOr("iterations", 4))
+    {
+        if (iterations_ < 1) throw FatalInputError(dict.where("iterations"), "iterations is not positive", "1 or more");
+    }
+
+    void begin() override { made_ = 0; }
+    bool violated(Liquid&, const Neighbourhood&, const Walls&) override { return made_ < iterations_; }
+
+    void correct(Liquid& liquid, const Neighbourhood& near, const Walls&) override
+    {
+        ++made_;
+        corrected_.resizeDiscarding(liquid.all());
+        forEach(liquid.owned(), Separate{liquid.spacing(), liquid.predicted.span(), near.view(), corrected_.span()});
+        liquid.predicted.swap(corrected_);
+    }
+
+    int iterations() const override { return made_; }
+
+private:
+    int iterations_, made_ = 0;
+    Buffer<Vec3> corrected_;
+};
+
+const PressureTable::Add<@class@> registered{"@word@"};
+
+}
+
+}

@@ -1,0 +1,73 @@
+// Cohesion: every particle pulls its neighbours, weighted by the kernel. (Equation and source of the model.)
+//
+//     a_i = -strength sigma/(rho0 d^3) sum_j V (x_i - x_j) W_ij
+//
+//     surfaceTension  @word@;
+//     @word@Coeffs  { strength 1; }
+
+#include "models/surfaceTension/SurfaceTension.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr Dimensions stiffnessDimensions{{0, 0, -2, 0, 0, 0, 0}};
+
+template<class Kernel>
+struct Attract
+{
+    Kernel W;
+    float weight;                       // strength sigma/(rho0 d^3) V
+    Span<const Vec3> x;
+    NeighbourView near;
+    Span<Vec3> acceleration;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 xi = x[i];
+        Vec3 sum;
+        near.forEach(i, [&](int j) { sum += W.W(norm(xi - x[j])) * (xi - x[j]); });
+        acceleration[i] -= weight * sum;
+    }
+};
+
+class @class@ : public SurfaceTension
+{
+public:
+    @class@(const Dictionary& coeffs, Liquid& liquid, Walls&)
+    {
+        const double strength = coeffs.lookupOr("strength", 1.0);
+        if (!(strength >= 0)) throw FatalInputError(coeffs.where("strength"), "The strength is negative", "0 or more");
+        const LiquidProperties& properties = liquid.properties();
+        stiffness_ = liquid.units().toScaled
+        (
+            strength * properties.surfaceTension / properties.particleMass(), stiffnessDimensions
+        );
+    }
+
+    void apply(Liquid& liquid, const Neighbourhood& near, const Walls&, Buffer<Vec3>& acceleration) override
+    {
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                forEach(liquid.owned(), Attract<Kernel>
+                {
+                    W, stiffness_ * liquid.particleVolume(), liquid.predicted.span(), near.view(), acceleration.span()
+                });
+            },
+            liquid.kernel()
+        );
+    }
+
+private:
+    float stiffness_;                   // scaled
+};
+
+const SurfaceTensionTable::Add<@class@> registered{"@word@"};
+
+}
+
+}

@@ -1,0 +1,61 @@
+// A uniform pull on liquid that has a wall within its support, against the mean normal of the walls there.
+// (Equation and source of the model.)
+//
+//     a_i = -strength n_i/|n_i|,   n_i: sum of the normals of near walls and solid particles
+//
+//     wetting     @word@;
+//     @word@Coeffs  { strength 10; }      // m/s2
+
+#include "models/wetting/Wetting.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct PullToWalls
+{
+    float strength;
+    Span<const Vec3> x;
+    WallView walls;
+    Span<Vec3> acceleration;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        Vec3 sum;
+        walls.particles.near.forEach(i, [&](int k) { sum += walls.particles.normal[k]; });
+        walls.surfaces.forEach(x[i], [&](const WallSurface&, const WallSurface::Place& place, const HalfSpaceValues&)
+        {
+            sum += place.normal;
+        });
+        const float length = norm(sum);
+        if (length > 0) acceleration[i] -= strength / length * sum;
+    }
+};
+
+class @class@ : public Wetting
+{
+public:
+    @class@(const Dictionary& coeffs, Liquid& liquid, Walls&, const SurfaceTension&)
+    {
+        const double strength = coeffs.lookupDimensionedOr("strength", dimensions::acceleration, 10);
+        if (!(strength >= 0)) throw FatalInputError(coeffs.where("strength"), "The strength is negative", "0 or more");
+        strength_ = liquid.units().toScaled(strength, dimensions::acceleration);
+    }
+
+    void apply(Liquid& liquid, const Walls& walls, Buffer<Vec3>& acceleration) override
+    {
+        if (walls.particles() == 0 && walls.surfaces() == 0) return;
+        forEach(liquid.owned(), PullToWalls{strength_, liquid.predicted.span(), walls.view(), acceleration.span()});
+    }
+
+private:
+    float strength_;                    // scaled
+};
+
+const WettingTable::Add<@class@> registered{"@word@"};
+
+}
+
+}
