@@ -1,13 +1,13 @@
 # Builds the device part of the program for one backend: the library shizukuDevice-<backend>, a module for each
 # device application and the tests. Each backend folder includes this once, in its own directory scope, since
 # the language of a source file is a property of the directory.
-#     shizuku_backend(cuda LANGUAGE CUDA FLAGS ... SOURCES device/cuda/Device.C LINK CUDA::cudart)
+#     shizuku_backend(cuda LANGUAGE CUDA TESTS ${SHIZUKU_GPU} FLAGS ... SOURCES device/cuda/Device.C LINK CUDA::cudart)
 include(${PROJECT_SOURCE_DIR}/Make/sources/device.cmake)
 include(${PROJECT_SOURCE_DIR}/Make/sources/deviceApplications.cmake)
 include(${PROJECT_SOURCE_DIR}/Make/sources/deviceTests.cmake)
 
 function(shizuku_backend backend)
-    cmake_parse_arguments(ARG "" "LANGUAGE" "FLAGS;INCLUDE;SOURCES;LINK" ${ARGN})
+    cmake_parse_arguments(ARG "" "LANGUAGE;TESTS" "FLAGS;INCLUDE;SOURCES;LINK" ${ARGN})
 
     set(library shizukuDevice-${backend})
     set(sources ${ARG_SOURCES} ${SHIZUKU_DEVICE_SOURCES})
@@ -34,7 +34,7 @@ function(shizuku_backend backend)
         add_dependencies(${name} ${name}-${backend})
     endforeach()
 
-    if(GTest_FOUND AND SHIZUKU_DEVICE_TESTS)
+    if(GTest_FOUND AND SHIZUKU_DEVICE_TESTS AND ARG_TESTS)
         set(sources ${SHIZUKU_DEVICE_TESTS})
         list(TRANSFORM sources PREPEND unit/)
         list(APPEND sources ${SHIZUKU_DEVICE_TEST_SUPPORT})
@@ -45,7 +45,7 @@ function(shizuku_backend backend)
         set_source_files_properties(${sources} PROPERTIES LANGUAGE ${ARG_LANGUAGE})
         set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
         target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-        target_compile_options(${name} PRIVATE ${ARG_FLAGS})
+        target_compile_options(${name} PRIVATE ${ARG_FLAGS} -O1)     # short runs: quick to compile counts
         target_link_libraries(${name} PRIVATE ${library} GTest::gtest)
         add_test(NAME ${name} COMMAND ${name})
         # 77: no GPU, see tests/support/DeviceMain.C. The loops are short: threads that wait shall not spin on a busy machine.
