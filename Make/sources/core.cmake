@@ -4,6 +4,7 @@ set(SHIZUKU_CORE_SOURCES
     core/arguments/runApplication.C
     core/dictionary/BalanceCheck.C
     core/dictionary/CalcExpression.C
+    core/dictionary/Conditionals.C
     core/dictionary/Dictionary.C
     core/dictionary/DictionaryEditor.C
     core/dictionary/DictionaryExpansion.C

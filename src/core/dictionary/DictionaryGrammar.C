@@ -220,7 +220,8 @@ const auto string_def =
 const auto verbatim_def = located(lexeme["#{" >> raw[*(char_ - "#}")][token<NodeKind::verbatim>] >> "#}"]);
 const auto dimensions_def = located(lexeme['[' >> raw[*(char_ - ']')][token<NodeKind::dimensions>] >> ']']);
 const auto macro_def = located(lexeme['$' >>
-    ('{' >> raw[+(char_ - '}')][token<NodeKind::macro>] >> '}' | raw[wordText][token<NodeKind::macro>])]);
+    ('{' >> raw[+(nested | (char_ - char_("{}")))][token<NodeKind::macro>] >> '}'
+    | raw[wordText][token<NodeKind::macro>])]);
 const auto nested_def = '{' >> *(nested | (char_ - char_("{}"))) >> '}';
 const auto code_def = located(lexeme['{' >> raw[*(nested | (char_ - char_("{}")))][token<NodeKind::verbatim>] >> '}']);
 
@@ -237,8 +238,15 @@ const auto list_def = located(x3::eps[mark<NodeKind::list>]
     >> -lexeme[raw[x3::uint_ >> &lit('(')][setText]] >> '(' > *(item[addItem] | body[addItem]) > ')');
 const auto uniformList_def = located(x3::eps[mark<NodeKind::uniformList>]
     >> lexeme[raw[x3::uint_ >> &lit('{')][setText]] >> '{' > *item[addItem] > '}');
-const auto directive_def =
-    located(lexeme['#' >> raw[+x3::alnum][token<NodeKind::directive>]] >> -(code[addItem] | item[addItem]));
+const auto directiveName = [](auto name) { return lexeme['#' >> raw[name >> !x3::alnum][token<NodeKind::directive>]]; };
+const auto branchName = (lit("ifeq") | "if" | "else" | "endif") >> !x3::alnum;
+const auto directive_def = located
+(
+    directiveName(lit("ifeq")) >> item[addItem] >> item[addItem]
+    | directiveName(lit("if")) >> item[addItem]
+    | directiveName(lit("else") | "endif")
+    | lexeme['#' >> !branchName >> raw[+x3::alnum][token<NodeKind::directive>]] >> -(code[addItem] | item[addItem])
+);
 struct ItemTag {};
 const auto passOn = [](auto& context) { _val(context) = std::move(_attr(context)); };
 const auto item_def = list[passOn] | uniformList[passOn] | number[passOn] | string[passOn] | verbatim[passOn]
@@ -248,13 +256,18 @@ const auto item_def = list[passOn] | uniformList[passOn] | number[passOn] | stri
 
 const x3::rule<StatementsTag, Tree> document = "dictionary";
 const x3::rule<EntryTag, Tree> entry = "entry";
-const x3::rule<class MacroStatementTag, Tree> macroStatement = "$macro;";      // the last one in { } needs no ';'
+const x3::rule<class MacroStatementTag, Tree> macroStatement = "$macro;";
+const x3::rule<class LastBodyTag, Tree> lastBody = "{ .. };";
 
 const auto keyword = word[setKeyword] | string[setKeyword] | macro[setKeyword];
 const auto statements = *(entry[addStatement] | directive[addStatement] | macroStatement[addStatement] | ';');
-const auto macroStatement_def = macro[passOn] >> (lit(';') | &lit('}') | x3::eoi);
+// A macro that is the last of its line, or of its dictionary, needs no ';', unless a '{' makes it a keyword.
+const auto restOfLine = x3::no_skip[*x3::blank >> -("//" >> *(char_ - eol)) >> (eol | x3::eoi)];
+const auto macroStatement_def = macro[passOn] >> ((restOfLine >> !lit('{')) | ';' | &lit('}') | x3::eoi);
+// A value may end with a dictionary: div(phi,Yi_h) Gauss multivariateSelection { ... };
+const auto lastBody_def = body[passOn] >> &lit(';');
 const auto entry_def = located(!(number | macroStatement) >> keyword
-    >> (body[setBody] | (x3::eps > *item[addValueItem] > ';')));
+    >> (body[setBody] | (x3::eps > *item[addValueItem] > -lastBody[addValueItem] > ';')));
 const auto body_def = located('{' > statements > '}');
 const auto document_def = located(x3::eps > statements > x3::eoi);
 const x3::rule<struct ItemsTag, Tree> items = "value";
@@ -262,7 +275,7 @@ struct ItemsTag : ListTag {};
 const auto items_def = located(x3::eps[mark<NodeKind::entry>] > *item[addValueItem] > x3::eoi);
 
 BOOST_SPIRIT_DEFINE(group, number, word, string, verbatim, dimensions, macro, nested, code)
-BOOST_SPIRIT_DEFINE(list, uniformList, directive, item, macroStatement, entry, body, document, items)
+BOOST_SPIRIT_DEFINE(list, uniformList, directive, item, macroStatement, lastBody, entry, body, document, items)
 
 template<class Rule>
 Tree parseWith(const Rule& rule, const SourceText& source)

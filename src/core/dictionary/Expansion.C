@@ -1,4 +1,5 @@
 #include "core/dictionary/Expansion.H"
+#include "core/dictionary/Conditionals.H"
 #include "core/dictionary/DictionaryGrammar.H"
 
 namespace shizuku
@@ -13,8 +14,14 @@ void Expansion::addFile(const SourceText& source)
 
 void Expansion::addStatements(const Tree& syntax)
 {
+    Conditionals conditionals;
     for (const auto& [key, statement] : syntax)
     {
+        if (Conditionals::isConditional(statement))
+        {
+            conditionals.step(statement, [&, &directive = statement] { return holds(directive); });
+        }
+        if (!conditionals.active() || Conditionals::isConditional(statement)) continue;
         const bool header = key == "FoamFile" && files_.size() > 1;     // of an included file
         switch (statement.data().kind)
         {
@@ -23,6 +30,7 @@ void Expansion::addStatements(const Tree& syntax)
             default: if (!header) addEntry(statement);
         }
     }
+    conditionals.requireClosed();
 }
 
 Tree Expansion::expandedBody(const std::string& keyword, const Tree& syntax)

@@ -3,7 +3,9 @@
 #include "core/dictionary/DictionaryExpansion.H"
 #include "core/dictionary/DictionaryGrammar.H"
 #include "core/dictionary/IncludeFile.H"
+#include "core/dictionary/ValueReader.H"
 
+#include <cstdlib>
 #include <map>
 #include <optional>
 
@@ -36,10 +38,21 @@ const std::string& textArgumentOf(const Tree& directive, const std::string& expe
     return data.text;
 }
 
+double numberOf(const Tree& token)
+{
+    return std::strtod(token.data().text.c_str(), nullptr);
+}
+
 [[noreturn]] void failDirective(const Tree& directive, const std::string& place,
     const std::vector<std::string>& choices)
 {
     const NodeData& data = directive.data();
+    if (data.text == "includeFunc" || data.text == "codeStream")
+    {
+        throw FatalInputError(data.where, "#" + data.text + " needs OpenFOAM's own "
+            + (data.text == "codeStream" ? "compiler run" : "function files"),
+            data.text == "codeStream" ? "a value, or #calc" : "the function written out: name { type ...; }");
+    }
     throw FatalInputError(data.where, "#" + data.text + " is unknown " + place, "one of the directives below",
         choices, data.text);
 }
@@ -58,6 +71,7 @@ void Expansion::addDirective(const Tree& directive)
         {"include", addIncluded},
         {"includeEtc", addIncluded},
         {"includeIfPresent", addIncluded},
+        {"sinclude", addIncluded},
         {"inputMode", [](Expansion& expansion, const Tree& argument) { expansion.setInputMode(argument); }},
         {"remove", [](Expansion& expansion, const Tree& argument) { expansion.remove(argumentOf(argument)); }}
     };
@@ -65,9 +79,51 @@ void Expansion::addDirective(const Tree& directive)
     if (action == actions.end())
     {
         failDirective(directive, "as a statement",
-            {"include", "includeEtc", "includeIfPresent", "inputMode", "remove"});
+            {"include", "includeEtc", "includeIfPresent", "sinclude", "inputMode", "remove"});
     }
     action->second(*this, directive);
+}
+
+// The one word, string or number that an operand of #if or #ifeq stands for.
+Tree Expansion::operandOf(const Tree& conditional, const Tree& item)
+{
+    Tree operand;
+    addItem(operand, item);
+    const auto isPlain = [](NodeKind kind)
+    {
+        return kind == NodeKind::word || kind == NodeKind::string || kind == NodeKind::number;
+    };
+    if (operand.size() != 1 || !isPlain(operand.front().second.data().kind))
+    {
+        const std::string found = operand.empty() ? "nothing" : describe(operand.front().second);
+        throw FatalInputError(conditional.data().where, "#" + conditional.data().text + " is followed by " + found,
+            "one word, string or number for each side");
+    }
+    Tree value(operand.front().second.data());
+    if (value.data().kind == NodeKind::string) value.data().text = withMacros(value.data().text, item.data().where);
+    return value;
+}
+
+bool Expansion::holds(const Tree& conditional)
+{
+    std::vector<Tree> operands;
+    for (const auto& [key, item] : conditional) operands.push_back(operandOf(conditional, item));
+    const auto isNumber = [](const Tree& operand) { return operand.data().kind == NodeKind::number; };
+
+    const Tree& first = operands.front();
+    if (conditional.data().text == "ifeq")
+    {
+        const Tree& second = operands.back();
+        if (isNumber(first) && isNumber(second)) return numberOf(first) == numberOf(second);
+        return first.data().text == second.data().text;
+    }
+    if (isNumber(first)) return numberOf(first) != 0;
+    Tree entry;
+    entry.push_back({"", first});
+    entry.data().kind = NodeKind::entry;
+    entry.data().where = conditional.data().where;
+    ValueReader reader(entry, "a switch or a number, for #if");
+    return reader.read<bool>();
 }
 
 void Expansion::setInputMode(const Tree& directive)
@@ -127,7 +183,7 @@ void Expansion::include(const Tree& directive, const std::function<void(const So
     }
     if (!fs::is_regular_file(*file))
     {
-        if (directiveName == "includeIfPresent") return;
+        if (directiveName == "includeIfPresent" || directiveName == "sinclude") return;
         throw FatalInputError
         (
             where, "#" + directiveName + " \"" + name + "\": there is no file " + file->string(),

@@ -26,7 +26,8 @@ Tree unused(Tree node)
 Tree Expansion::resolve(const std::string& name, const SourceLocation& where) const
 {
     const std::size_t fallback = name.find(":-");
-    const std::string key = name.substr(0, fallback);
+    std::string key = name.substr(0, fallback);
+    if (key.find('$') != std::string::npos) key = withMacros(key, where);      // ${coeffs_${model}}
     if (const Tree* entry = scope_.find(key)) return unused(*entry);
     if (const char* value = std::getenv(key.c_str())) return parseItems(SourceText(value, "$" + key));
     if (fallback != std::string::npos) return parseItems(SourceText(name.substr(fallback + 2), where.file));

@@ -48,7 +48,7 @@ Tree* MacroScope::findFrom(std::size_t level, const std::string& path) const
 
 Tree* MacroScope::find(const std::string& name) const
 {
-    if (name.starts_with(':')) return findFrom(0, name.substr(1));
+    if (name.starts_with(':') || name.starts_with('/')) return findFrom(0, name.substr(1));
 
     std::size_t level = levels_.size() - 1;
     if (name.starts_with('.'))

@@ -88,6 +88,36 @@ TEST(Macro, FallsBackToTheEnvironmentAndToADefault)
     EXPECT_EQ(dict.lookup<double>("e"), 0.25);
 }
 
+TEST(Macro, NeedsNoSemicolonAtTheEndOfItsLine)
+{
+    const Dictionary dict = Dictionary::parse
+    (
+        "name inner; base { a 1; b 2; }\n"
+        "first\n{\n    $base\n    b 3;\n}\n"
+        "second\n{\n    ${base}   // all of it\n    a 4;\n}\n"
+        "$name\n{\n    c 5;\n}\n"
+    );
+    EXPECT_EQ(dict.subDict("first").keys(), (std::vector<std::string>{"a", "b"}));
+    EXPECT_EQ(dict.subDict("first").lookup<double>("b"), 3);
+    EXPECT_EQ(dict.subDict("second").lookup<double>("a"), 4);
+    EXPECT_EQ(dict.subDict("second").lookup<double>("b"), 2);
+    EXPECT_EQ(dict.subDict("inner").lookup<double>("c"), 5);
+}
+
+TEST(Macro, ComposesNamesAndStartsAtTheTop)
+{
+    const Dictionary dict = Dictionary::parse
+    (
+        "model fast; endTime 8; fastCoeffs { n 1; } settings_fast { m 2; }\n"
+        "inner { endTime 3; ${settings_${model}}; ${:${model}Coeffs}; top $/endTime; half #calc \"${/endTime}/2\"; }\n"
+    );
+    const Dictionary inner = dict.subDict("inner");
+    EXPECT_EQ(inner.lookup<double>("m"), 2);
+    EXPECT_EQ(inner.lookup<double>("n"), 1);
+    EXPECT_EQ(inner.lookup<double>("top"), 8);
+    EXPECT_EQ(inner.lookup<double>("half"), 4);
+}
+
 TEST(Macro, UndefinedIsRefused)
 {
     const Refusal refusal = refusalOfText("radius 1;\na\n{\n    r $raduis;\n}\n");
@@ -211,6 +241,50 @@ TEST(Remove, TakesEntriesAway)
     EXPECT_EQ(refusalOfText("a 1;\n#remove { }\n").line, 2);
 }
 
+// ---- Branches
+
+TEST(Conditional, ChoosesOneBranch)
+{
+    const Dictionary dict = Dictionary::parse
+    (
+        "fluid water; n 3;\n"
+        "#ifeq $fluid water\n  rho 998;\n#else\n  rho 1;\n#endif\n"
+        "walls { #ifeq ${fluid} oil\n  theta 20;\n#else\n  theta 60;\n#endif\n }\n"
+        "#if #calc \"$n > 2\";\n  many yes;\n#endif\n"
+        "#if off\n  never 1;\n#else\n  always 1;\n#endif\n"
+        "#ifeq 3.0 $n\n  same 1;\n#endif\n"
+        "#ifeq \"${fluid}_$n\" water_3\n  joined 1;\n#endif\n"
+    );
+    EXPECT_EQ(dict.lookup<double>("rho"), 998);
+    EXPECT_EQ(dict.subDict("walls").lookup<double>("theta"), 60);
+    EXPECT_EQ
+    (
+        dict.keys(),
+        (std::vector<std::string>{"fluid", "n", "rho", "walls", "many", "always", "same", "joined"})
+    );
+}
+
+TEST(Conditional, NestsAndLeavesBranchesThatAreNotTakenAlone)
+{
+    const Dictionary dict = Dictionary::parse
+    (
+        "#if no\n  a $absent;\n  #if $absent\n    b 1;\n  #else\n    b 2;\n  #endif\n"
+        "#else\n  #if yes\n    c 3;\n  #else\n    c 4;\n  #endif\n#endif\nd 5;\n"
+    );
+    EXPECT_EQ(dict.keys(), (std::vector<std::string>{"c", "d"}));
+    EXPECT_EQ(dict.lookup<double>("c"), 3);
+}
+
+TEST(Conditional, RefusesWhatDoesNotPair)
+{
+    EXPECT_EQ(refusalOfText("a 1;\n#else\n").line, 2);
+    EXPECT_EQ(refusalOfText("#if yes\n#endif\n#endif\n").line, 3);
+    EXPECT_EQ(refusalOfText("#if yes\n#else\n#else\n#endif\n").line, 3);
+    EXPECT_EQ(refusalOfText("a 1;\nb\n{\n#if yes\nc 1;\n}\n#endif\n").line, 4);
+    EXPECT_EQ(refusalOfText("a 1;\n#if (1 2)\n#endif\n").line, 2);
+    EXPECT_EQ(refusalOfText("a 1;\n#if perhaps\n#endif\n").line, 2);
+}
+
 TEST(Directive, UnknownIsRefused)
 {
     const Refusal statement = refusalOfText("a 1;\n#inclde \"file\"\n");
@@ -218,6 +292,7 @@ TEST(Directive, UnknownIsRefused)
     EXPECT_TRUE(holds(statement.message, {"#inclde", "Did you mean 'include'?"}));
     EXPECT_EQ(refusalOfText("a 1;\nb #codeStream { code #{ x #}; };\n").line, 2);
     EXPECT_EQ(refusalOfText("a 1;\n#include\n").line, 2);
+    EXPECT_TRUE(holds(refusalOfText("functions { #includeFunc mag(U)\n }").message, {"#includeFunc needs OpenFOAM"}));
 }
 
 // ---- Arithmetic

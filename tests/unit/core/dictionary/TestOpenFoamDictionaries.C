@@ -57,6 +57,13 @@ divSchemes
     EXPECT_FALSE(dict.subDict("divSchemes").found("div(phi,U)"));
 }
 
+TEST(OpenFoam, valuesThatEndWithADictionary)
+{
+    const std::string text = "div(phi,Y) Gauss multi\n{\n    CO limited 1;\n    h upwind;\n};\ndiv(U) Gauss linear;\n";
+    const Dictionary schemes = Dictionary::parse(text);
+    EXPECT_EQ(schemes.keys(), (std::vector<std::string>{"div(phi,Y)", "div(U)"}));
+}
+
 TEST(OpenFoam, blockMeshDict)
 {
     const Dictionary dict = Dictionary::parse(R"dict(

@@ -29,6 +29,12 @@ std::string json(const std::string& text)
 
 }
 
+TEST(Writer, WritesValuesThatEndWithADictionary)
+{
+    const std::string text = "scheme          Gauss multi {\n    CO              limited 1;\n};\n";
+    EXPECT_EQ(written(text), text);
+}
+
 TEST(Writer, LaysOutAsOpenFoamDoes)
 {
     EXPECT_EQ
