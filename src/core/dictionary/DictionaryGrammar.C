@@ -212,6 +212,8 @@ const x3::rule<class MacroTag, Tree> macro = "macro";
 const x3::rule<class DirectiveTag, Tree> directive = "directive";
 const x3::rule<class CodeTag, Tree> code = "{..}";
 const x3::rule<class NestedTag> nested = "{..}";
+const x3::rule<class ArgumentsTag> arguments = "(..)";                      // of a function, blanks within them
+const x3::rule<class FunctionCallTag, Tree> functionCall = "name(..)";
 
 const auto number_def = located(lexeme[raw[numberText][token<NodeKind::number>]]);
 const auto word_def = located(lexeme[!char_("#$") >> raw[wordText][token<NodeKind::word>]]);
@@ -223,6 +225,8 @@ const auto macro_def = located(lexeme['$' >>
     ('{' >> raw[+(nested | (char_ - char_("{}")))][token<NodeKind::macro>] >> '}'
     | raw[wordText][token<NodeKind::macro>])]);
 const auto nested_def = '{' >> *(nested | (char_ - char_("{}"))) >> '}';
+const auto arguments_def = '(' >> *(arguments | (char_ - char_("()"))) >> ')';
+const auto functionCall_def = located(lexeme[raw[wordText >> -(*x3::blank >> arguments)][token<NodeKind::word>]]);
 const auto code_def = located(lexeme['{' >> raw[*(nested | (char_ - char_("{}")))][token<NodeKind::verbatim>] >> '}']);
 
 // ---- Values
@@ -245,6 +249,7 @@ const auto directive_def = located
     directiveName(lit("ifeq")) >> item[addItem] >> item[addItem]
     | directiveName(lit("if")) >> item[addItem]
     | directiveName(lit("else") | "endif")
+    | directiveName(lit("includeFunc")) >> (functionCall[addItem] | item[addItem])
     | lexeme['#' >> !branchName >> raw[+x3::alnum][token<NodeKind::directive>]] >> -(code[addItem] | item[addItem])
 );
 struct ItemTag {};
@@ -274,7 +279,7 @@ const x3::rule<struct ItemsTag, Tree> items = "value";
 struct ItemsTag : ListTag {};
 const auto items_def = located(x3::eps[mark<NodeKind::entry>] > *item[addValueItem] > x3::eoi);
 
-BOOST_SPIRIT_DEFINE(group, number, word, string, verbatim, dimensions, macro, nested, code)
+BOOST_SPIRIT_DEFINE(group, number, word, string, verbatim, dimensions, macro, nested, arguments, functionCall, code)
 BOOST_SPIRIT_DEFINE(list, uniformList, directive, item, macroStatement, lastBody, entry, body, document, items)
 
 template<class Rule>

@@ -292,7 +292,12 @@ TEST(Directive, UnknownIsRefused)
     EXPECT_TRUE(holds(statement.message, {"#inclde", "Did you mean 'include'?"}));
     EXPECT_EQ(refusalOfText("a 1;\nb #codeStream { code #{ x #}; };\n").line, 2);
     EXPECT_EQ(refusalOfText("a 1;\n#include\n").line, 2);
-    EXPECT_TRUE(holds(refusalOfText("functions { #includeFunc mag(U)\n }").message, {"#includeFunc needs OpenFOAM"}));
+    for (const std::string function : {"mag(U)", "average (name = inlet, fields = (p U))", "\"file\""})
+    {
+        const Refusal call = refusalOfText("functions\n{\n    #includeFunc " + function + "\n    a 1;\n}\n");
+        EXPECT_EQ(call.line, 3) << function;
+        EXPECT_TRUE(holds(call.message, {"#includeFunc needs OpenFOAM's own function files"})) << function;
+    }
 }
 
 // ---- Arithmetic
