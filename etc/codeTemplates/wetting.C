@@ -44,7 +44,7 @@ public:
         strength_ = liquid.units().toScaled(strength, dimensions::acceleration);
     }
 
-    void apply(Liquid& liquid, const Walls& walls, Buffer<Vec3>& acceleration) override
+    void apply(Liquid& liquid, const Neighbourhood&, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
         if (walls.particles() == 0 && walls.surfaces() == 0) return;
         forEach(liquid.owned(), PullToWalls{strength_, liquid.predicted.span(), walls.view(), acceleration.span()});

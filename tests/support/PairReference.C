@@ -91,6 +91,18 @@ std::vector<Vector3> PairSystem::tension() const
     return result;
 }
 
+Vector3 PairSystem::normalAt(const Vector3& place) const
+{
+    if (!liquidNormals) return solidNormal;
+    Vector3 sum;
+    for (std::size_t j = 0; j < liquid.size(); ++j)
+    {
+        const Vector3 r = place - liquid[j];
+        if (length(r) < h) sum += spacing * spacing * spacing / density[j] * slope(length(r)) * normalized(r);
+    }
+    return h * sum;
+}
+
 std::vector<Vector3> PairSystem::wetting() const
 {
     std::vector<Vector3> result;
@@ -103,7 +115,7 @@ std::vector<Vector3> PairSystem::wetting() const
             if (length(r) >= h) continue;
             const double share = gamma * (1 + solidCosTheta) / 2;
             sum -= share * restDensity * volume[k] * cohesion(length(r)) * normalized(r);
-            sum -= share * areaDensity * (normal[i] - solidNormal);
+            sum -= share * areaDensity * (normal[i] - normalAt(solid[k]));
         }
         const double s = liquid[i].z;
         if (floor && s < h)
@@ -111,7 +123,7 @@ std::vector<Vector3> PairSystem::wetting() const
             const double share = gamma * (1 + floorCosTheta) / 2, depth = s + spacing / 2;
             const double layer = pi * std::max(h * h - depth * depth, 0.0) / (spacing * spacing);
             sum -= share * restDensity * towardsFloor(s, [&](double r) { return cohesion(r); }) * Vector3(0, 0, 1);
-            sum -= share * areaDensity * layer * (normal[i] - solidNormal);
+            sum -= share * areaDensity * layer * (normal[i] - normalAt(liquid[i] - depth * Vector3(0, 0, 1)));
         }
         result.push_back(2 / (density[i] + 1) * sum);
     }

@@ -31,7 +31,7 @@ void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const
     acceleration_.resizeDiscarding(liquid.all());
     acceleration_.setZero();
     tension_->apply(liquid, near, walls, acceleration_);
-    wetting_->apply(liquid, walls, acceleration_);
+    wetting_->apply(liquid, near, walls, acceleration_);
     displace(liquid, acceleration_, dt);
 }
 

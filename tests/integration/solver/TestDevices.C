@@ -49,7 +49,6 @@ std::vector<std::string> devicesBesideTheCpu()
     return result;
 }
 
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Devices);
 INSTANTIATE_TEST_SUITE_P(BesideTheCpu, Devices, testing::ValuesIn(devicesBesideTheCpu()));
 
 }

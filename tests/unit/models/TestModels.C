@@ -126,7 +126,7 @@ TEST(Models, AtAbsentWallsLaunchNothing)
     Buffer<Vec3> acceleration(drop.liquid.all());
     acceleration.setZero();
     const DeviceCounters before = deviceCounters();
-    wetting->apply(drop.liquid, drop.walls, acceleration);
+    wetting->apply(drop.liquid, drop.near, drop.walls, acceleration);
     drop.walls.update(drop.liquid);
     drop.walls.project(drop.liquid);
     EXPECT_EQ(deviceCounters().launches, before.launches);

@@ -89,7 +89,7 @@ public:
         }
     }
 
-    void apply(Liquid& liquid, const Walls& walls, Buffer<Vec3>& acceleration) override
+    void apply(Liquid& liquid, const Neighbourhood&, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
         if (walls.particles() == 0) return;
         forEach(liquid.owned(), Adhesion

@@ -3,7 +3,8 @@
 //     gamma_LS = gamma (1 + cos theta)/2
 //     a_ik = -K_ik [ gamma_LS rho0 V_k C(r) r_ik/r + gamma_LS rho_A (n_i - n_k) ],   K_ik = 2 rho0/(rho_i + rho0)
 //
-// The paper leaves n_k open. `solidNormal` chooses: `wall`, the wall's unit normal into the liquid, or `zero`.
+// The paper leaves n_k open. `solidNormal` chooses: `wall`, the wall's unit normal into the liquid; `SPH`, the liquid's
+// normal (22) at the solid particle; or `zero`.
 // Analytic walls: cohesion with the half-space (HalfSpace.H), the area term with the layer of particles that a sampled
 // wall would have, pi (h^2 - (s + d/2)^2)/d^2 of them, half a spacing inside the surface.
 //
@@ -19,12 +20,40 @@ namespace shizuku
 namespace
 {
 
+// n_k at a place on a wall.
+template<class Kernel>
+struct SolidNormal
+{
+    enum Choice { zero, wall, sph };
+
+    Choice choice;
+    Kernel W;
+    float volume;
+    CellGridView grid;
+    Span<const Vec3> x;
+    Span<const float> density;
+
+    HOST_DEVICE Vec3 operator()(Vec3 place, Vec3 wallNormal) const
+    {
+        if (choice == wall) return wallNormal;
+        Vec3 sum;
+        if (choice == zero) return sum;
+        grid.forEachCandidate(place, [&](int j)
+        {
+            const Vec3 r = place - x[j];
+            sum += volume / density[j] * W.g(norm(r)) * r;
+        });
+        return W.h * sum;
+    }
+};
+
+template<class Kernel>
 struct WallPairForce
 {
     CohesionSpline C;
     PairCoefficients gamma;
     float restDensity, spacing;
-    float solidNormal;                  // 1: n_k is the wall's normal, 0: n_k = 0
+    SolidNormal<Kernel> solidNormal;
     Span<const Vec3> x, normal;
     Span<const float> density;
     WallView walls;
@@ -43,7 +72,7 @@ struct WallPairForce
             {
                 sum -= share * gamma.cohesion * restDensity * solid.volume[k] * C(distance) / distance * r;
             }
-            sum -= share * gamma.area * (ni - solidNormal * solid.normal[k]);
+            sum -= share * gamma.area * (ni - solidNormal(solid.position[k], solid.normal[k]));
         });
         walls.surfaces.forEach(xi, [&](const WallSurface& surface, const WallSurface::Place& place, const HalfSpaceValues& values)
         {
@@ -51,7 +80,7 @@ struct WallPairForce
             const float depth = place.distance + 0.5f * spacing;
             const float layer = kernels::pi * fmaxf(C.h * C.h - depth * depth, 0) / (spacing * spacing);
             sum -= share * gamma.cohesion * restDensity * values.cohesion * place.normal;
-            sum -= share * gamma.area * layer * (ni - solidNormal * place.normal);
+            sum -= share * gamma.area * layer * (ni - solidNormal(xi - depth * place.normal, place.normal));
         });
         acceleration[i] += 2 / (density[i] + 1) * sum;
     }
@@ -63,7 +92,7 @@ public:
     ContactAngle(const Dictionary& coeffs, Liquid& liquid, Walls& walls, const SurfaceTension& tension)
     :
         gamma_(requirePairCoefficients(tension, coeffs)),
-        solidNormal_(coeffs.lookupChoiceOr("solidNormal", {"wall", "zero"}, "wall") == "wall"),
+        solidNormal_(coeffs.lookupChoiceOr("solidNormal", {"SPH", "wall", "zero"}, "wall")),
         normal_(liquid.fields().require<Vec3>({.name = "normal", .dimensions = dimensions::none, .sorted = false}))
     {
         walls.requireContactAngles();
@@ -71,19 +100,32 @@ public:
 
     bool active() const override { return true; }
 
-    void apply(Liquid& liquid, const Walls& walls, Buffer<Vec3>& acceleration) override
+    void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
         if (walls.particles() + walls.surfaces() == 0) return;
-        forEach(liquid.owned(), WallPairForce
-        {
-            {liquid.support()}, gamma_, liquid.restDensity(), liquid.spacing(), solidNormal_ ? 1.0f : 0.0f,
-            liquid.predicted.span(), normal_.span(), liquid.density.span(), walls.view(), acceleration.span()
-        });
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                using Normal = SolidNormal<Kernel>;
+                const auto choice = solidNormal_ == "wall" ? Normal::wall : solidNormal_ == "SPH" ? Normal::sph : Normal::zero;
+                forEach(liquid.owned(), WallPairForce<Kernel>
+                {
+                    {liquid.support()}, gamma_, liquid.restDensity(), liquid.spacing(),
+                    {
+                        choice, W, liquid.particleVolume(), near.grid().view(), liquid.predicted.span(),
+                        liquid.density.span()
+                    },
+                    liquid.predicted.span(), normal_.span(), liquid.density.span(), walls.view(), acceleration.span()
+                });
+            },
+            liquid.kernel()
+        );
     }
 
 private:
     PairCoefficients gamma_;
-    bool solidNormal_;
+    std::string solidNormal_;
     Buffer<Vec3>& normal_;
 };
 

@@ -14,7 +14,7 @@ public:
     NoWetting(const Dictionary&, Liquid&, Walls&, const SurfaceTension&) {}
 
     bool active() const override { return false; }
-    void apply(Liquid&, const Walls&, Buffer<Vec3>&) override {}
+    void apply(Liquid&, const Neighbourhood&, const Walls&, Buffer<Vec3>&) override {}
 };
 
 const WettingTable::Add<NoWetting> registered{"none"};

@@ -18,7 +18,7 @@ std::vector<Vec3> adhesionOf(LiquidCase& drop, const std::string& models)
     const auto wetting = Wetting::New(dict, drop.liquid, drop.walls, *tension);
     Buffer<Vec3> acceleration(drop.liquid.all());
     acceleration.setZero();
-    wetting->apply(drop.liquid, drop.walls, acceleration);
+    wetting->apply(drop.liquid, drop.near, drop.walls, acceleration);
     return drop.inOrder(acceleration);
 }
 

@@ -23,7 +23,7 @@ std::vector<Vec3> wettingOf(LiquidCase& drop, const std::vector<Vec3>& points, c
     acceleration.setZero();
     tension->apply(drop.liquid, drop.near, drop.walls, acceleration);
     acceleration.setZero();
-    wetting->apply(drop.liquid, drop.walls, acceleration);
+    wetting->apply(drop.liquid, drop.near, drop.walls, acceleration);
     return drop.inOrder(acceleration);
 }
 
@@ -37,13 +37,14 @@ TEST(ContactAngleWetting, EqualsTheSumOverSolidParticles)
 {
     for (const double theta : {0.0, 60.0, 150.0})
     {
-        for (const std::string solidNormal : {"zero", "wall"})
+        for (const std::string solidNormal : {"zero", "wall", "SPH"})
         {
             LiquidCase drop({.walls = "floor { type particles; surface \"floor.stl\"; }", .solidPositions = solid,
                              .solidTheta = std::vector<double>(solid.size(), theta)});
             auto reference = pairSystem<CubicSpline>(drop, points, solid);
             reference.solidCosTheta = std::cos(theta * std::numbers::pi / 180);
             reference.solidNormal = Vector3(0, 0, solidNormal == "wall" ? 1 : 0);
+            reference.liquidNormals = solidNormal == "SPH";
             reference.wallNormals = true;
             reference.prepare();
             EXPECT_TRUE(agree(wettingOf(drop, points, solidNormal), drop.liquid.units(), reference.wetting(), 2e-5))
@@ -55,7 +56,7 @@ TEST(ContactAngleWetting, EqualsTheSumOverSolidParticles)
 // The half-space's tables are interpolated: 1e-3.
 TEST(ContactAngleWetting, EqualsTheIntegralOverAnAnalyticFloor)
 {
-    for (const std::string solidNormal : {"zero", "wall"})
+    for (const std::string solidNormal : {"zero", "wall", "SPH"})
     {
         LiquidCase drop({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }",
                          .wettability = "floor { theta 60; }"});
@@ -63,6 +64,7 @@ TEST(ContactAngleWetting, EqualsTheIntegralOverAnAnalyticFloor)
         reference.floor = true;
         reference.floorCosTheta = 0.5;
         reference.solidNormal = Vector3(0, 0, solidNormal == "wall" ? 1 : 0);
+        reference.liquidNormals = solidNormal == "SPH";
         reference.wallNormals = true;
         reference.prepare();
         EXPECT_TRUE(agree(wettingOf(drop, points, solidNormal), drop.liquid.units(), reference.wetting(), 1e-3))
