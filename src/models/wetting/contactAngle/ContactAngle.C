@@ -3,13 +3,13 @@
 //     gamma_LS = gamma (1 + cos theta)/2
 //     a_ik = -K_ik [ gamma_LS rho0 V_k C(r) r_ik/r + gamma_LS rho_A (n_i - n_k) ],   K_ik = 2 rho0/(rho_i + rho0)
 //
-// The paper leaves n_k open. `solidNormal` chooses: `wall`, the wall's unit normal into the liquid; `SPH`, the liquid's
-// normal (22) at the solid particle; or `zero`.
+// The paper leaves n_k open. `solidNormal` chooses: `SPH`, the liquid's normal (22) at the solid particle; `wall`, the wall's
+// unit normal into the liquid, which saves that sum; or `zero`.
 // Analytic walls: cohesion with the half-space (HalfSpace.H), the area term with the layer of particles that a sampled
 // wall would have, pi (h^2 - (s + d/2)^2)/d^2 of them, half a spacing inside the surface.
 //
 //     wetting             contactAngle;
-//     contactAngleCoeffs  { solidNormal wall; }
+//     contactAngleCoeffs  { solidNormal SPH; }
 
 #include "models/surfaceTension/pairTension/CohesionSpline.H"
 #include "models/wetting/Wetting.H"
@@ -92,7 +92,7 @@ public:
     ContactAngle(const Dictionary& coeffs, Liquid& liquid, Walls& walls, const SurfaceTension& tension)
     :
         gamma_(requirePairCoefficients(tension, coeffs)),
-        solidNormal_(coeffs.lookupChoiceOr("solidNormal", {"SPH", "wall", "zero"}, "wall")),
+        solidNormal_(coeffs.lookupChoiceOr("solidNormal", {"SPH", "wall", "zero"}, "SPH")),
         normal_(liquid.fields().require<Vec3>({.name = "normal", .dimensions = dimensions::none, .sorted = false}))
     {
         walls.requireContactAngles();
