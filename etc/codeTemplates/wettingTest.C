@@ -31,7 +31,7 @@ TEST(@class@, PullsWhatIsNearAWall)
         const auto model = Wetting::New(models, drop.liquid, drop.walls, *tension);
         Buffer<Vec3> field(drop.liquid.all());
         field.setZero();
-        model->apply(drop.liquid, drop.walls, field);
+        model->apply(drop.liquid, drop.near, drop.walls, field);
 
         const auto acceleration = drop.inOrder(field);
         const double found = drop.liquid.units().toSI(acceleration[0].z, dimensions::acceleration);
