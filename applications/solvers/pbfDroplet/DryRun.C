@@ -42,7 +42,7 @@ void reportDryRun
 {
     const SubSteps steps = control.divide(time.deltaT(), state.maxSpeed, liquid, models);
     const double left = std::max(0.0, time.endTime() - time.value());
-    const double subSteps = std::ceil(left / time.deltaT() - 1e-9) * steps.count;
+    const double subSteps = std::max(0.0, std::ceil(left / time.deltaT() - 1e-9)) * steps.count;
     const double seconds = timeOneStep(liquid, walls, models, liquid.units().toScaled(steps.dt, dimensions::time));
     const double megabytes = deviceCounters().peakBytes / 1048576.0;
     std::cout
