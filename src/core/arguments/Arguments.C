@@ -116,6 +116,12 @@ std::vector<po::option> parse(int argc, const char* const* argv, const std::vect
     }
 }
 
+// The last positional argument stands for any number of them: "cases...".
+bool takesMany(const ApplicationInfo& info)
+{
+    return !info.positional.empty() && info.positional.back().ends_with("...");
+}
+
 std::string quoted(const std::string& argument)
 {
     if (!argument.empty() && argument.find(' ') == std::string::npos) return argument;
@@ -176,7 +182,7 @@ Arguments::Arguments(int argc, const char* const* argv, const ApplicationInfo& i
         {
             const std::string& text = token.value.front();
             if (looksLikeOption(text)) failUnknown(withoutDashes(text), options);
-            if (positional_.size() == info_.positional.size())
+            if (positional_.size() >= info_.positional.size() && !takesMany(info_))
             {
                 throw FatalInputError({}, "Unexpected argument '" + text + "'", info_.name + " -help tells the usage");
             }
@@ -243,6 +249,13 @@ std::string Arguments::positional(const std::string& name) const
     const auto found = std::find(info_.positional.begin(), info_.positional.end(), name);
     const std::size_t i = found - info_.positional.begin();
     return i < positional_.size() ? positional_[i] : "";
+}
+
+std::vector<std::string> Arguments::positionals(const std::string& name) const
+{
+    const auto found = std::find(info_.positional.begin(), info_.positional.end(), name);
+    const std::size_t first = std::min<std::size_t>(found - info_.positional.begin(), positional_.size());
+    return {positional_.begin() + long(first), positional_.end()};
 }
 
 }

@@ -64,6 +64,17 @@ TEST(Arguments, TakesDoubleDashesAndEqualSigns)
     EXPECT_EQ(args.get("device"), "cuda");
 }
 
+TEST(Arguments, ALastPositionalMayStandForMany)
+{
+    ApplicationInfo many = info();
+    many.positional = {"dictionary", "cases..."};
+    const std::vector<std::string> expected{"b", "c", "d"};
+    EXPECT_EQ(parse({"a", "b", "-latestTime", "c", "d"}, many).positionals("cases..."), expected);
+    EXPECT_TRUE(parse({"a"}, many).positionals("cases...").empty());
+    EXPECT_TRUE(parse({}, many).positionals("cases...").empty());
+    EXPECT_TRUE(holds(errorOf({"a", "b"}), {"Unexpected argument 'b'"}));
+}
+
 TEST(Arguments, FallsBackToDefaults)
 {
     const Arguments args = parse({});

@@ -1,0 +1,118 @@
+#include "RunningCase.H"
+
+#include "core/messages/Error.H"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <thread>
+#include <vector>
+
+extern char** environ;
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr std::chrono::milliseconds interval{20};
+
+int openLog(const std::filesystem::path& casePath)
+{
+    const std::filesystem::path file = casePath/"log.runCases";
+    const int log = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    if (log < 0) throw FatalError("Cannot write " + file.string() + ": " + std::strerror(errno));
+    if (::flock(log, LOCK_EX | LOCK_NB) == 0) return log;
+    ::close(log);
+    throw FatalError("The case is being run already: a program that an earlier runCases started writes " + file.string());
+}
+
+std::vector<std::string> environmentWith(const std::map<std::string, std::string>& added)
+{
+    std::vector<std::string> result;
+    for (char** entry = environ; *entry; ++entry)
+    {
+        const std::string text = *entry;
+        if (!added.contains(text.substr(0, text.find('=')))) result.push_back(text);
+    }
+    for (const auto& [name, value] : added) result.push_back(name + "=" + value);
+    return result;
+}
+
+}
+
+RunningCase::RunningCase
+(
+    const std::filesystem::path& casePath, const std::string& command,
+    const std::map<std::string, std::string>& environment
+)
+{
+    // All memory is taken before the fork: behind it only system calls are safe.
+    std::vector<std::string> texts = environmentWith(environment);
+    std::vector<char*> variables;
+    for (std::string& text : texts) variables.push_back(text.data());
+    variables.push_back(nullptr);
+    const char* const arguments[] = {"sh", "-c", command.c_str(), nullptr};
+
+    const int log = openLog(casePath);
+    id_ = ::fork();
+    if (id_ == 0)
+    {
+        ::setpgid(0, 0);
+        ::signal(SIGINT, SIG_DFL);
+        ::signal(SIGTERM, SIG_DFL);
+        const int input = ::open("/dev/null", O_RDONLY);
+        ::dup2(input, STDIN_FILENO);
+        ::dup2(log, STDOUT_FILENO);
+        ::dup2(log, STDERR_FILENO);
+        if (::chdir(casePath.c_str()) == 0) ::execve("/bin/sh", const_cast<char* const*>(arguments), variables.data());
+        ::_exit(127);
+    }
+    ::close(log);
+    if (id_ < 0) throw FatalError(std::string("Cannot start another process: ") + std::strerror(errno));
+    ::setpgid(id_, id_);        // here too: whoever comes first
+}
+
+RunningCase::~RunningCase()
+{
+    stop();
+}
+
+bool RunningCase::ended()
+{
+    int status = 0;
+    if (ended_ || ::waitpid(id_, &status, WNOHANG) != id_) return ended_;
+    ended_ = true;
+    end_ = Clock::now();
+    exit_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+    return true;
+}
+
+double RunningCase::seconds() const
+{
+    return std::chrono::duration<double>((ended_ ? end_ : Clock::now()) - start_).count();
+}
+
+void RunningCase::askToEnd()
+{
+    if (!ended()) ::kill(-id_, SIGTERM);
+}
+
+void RunningCase::stop()
+{
+    if (ended()) return;
+    askToEnd();
+    const auto patience = Clock::now() + std::chrono::seconds(5);
+    while (!ended() && Clock::now() < patience) std::this_thread::sleep_for(interval);
+    ::kill(-id_, SIGKILL);      // what is left of the group
+    if (!ended_) ::waitpid(id_, nullptr, 0);
+    ended_ = true;
+}
+
+}
