@@ -1,0 +1,4 @@
+# Paths below src/.
+set(SHIZUKU_REFERENCE_SOURCES
+    reference/BashforthAdams.C
+)

@@ -1,0 +1,134 @@
+#include "reference/BashforthAdams.H"
+
+#include "core/messages/Error.H"
+
+#include <boost/math/tools/roots.hpp>
+#include <boost/numeric/odeint.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace shizuku
+{
+
+namespace
+{
+
+namespace odeint = boost::numeric::odeint;
+namespace roots = boost::math::tools;
+
+using State = std::array<double, 4>;        // x, z, phi, V
+
+constexpr double tolerance = 1e-12;         // of a step of the integration
+
+double radians(double degrees) { return degrees*std::numbers::pi/180; }
+
+void refuse(const std::string& what, double value)
+{
+    throw FatalError("A drop's profile needs " + what + ", not " + std::to_string(value));
+}
+
+// smallest: of the numbers that count. On a wide puddle all but x begin as small as the apex's curvature.
+auto denseStepper(double smallest)
+{
+    return odeint::make_dense_output(tolerance*smallest, tolerance, odeint::runge_kutta_dopri5<State>());
+}
+
+// The equation in a unit of length in which neither curvature nor gravity is large.
+class YoungLaplace
+{
+public:
+    YoungLaplace(double apexRadius, double capillaryLength)
+    :
+        unit_(1/(1/apexRadius + 1/capillaryLength)),
+        apexCurvature_(unit_/apexRadius),
+        gravity_(unit_*unit_/(capillaryLength*capillaryLength))
+    {}
+
+    double unit() const { return unit_; }   // m
+
+    void operator()(const State& state, State& slope, double) const
+    {
+        const auto& [x, z, phi, volume] = state;
+        const double around = x == 0 ? apexCurvature_ : std::sin(phi)/x;
+        slope = {std::cos(phi), std::sin(phi), 2*apexCurvature_ + gravity_*z - around, std::numbers::pi*x*x*std::sin(phi)};
+    }
+
+    // The arc length at which phi reaches the angle [radians]; phi grows all the way.
+    double lengthTo(double angle) const
+    {
+        auto stepper = denseStepper(apexCurvature_);
+        stepper.initialize(State{}, 0, 1e-3);
+        while (stepper.current_state()[2] < angle) stepper.do_step(*this);
+        const auto excess = [&](double s)
+        {
+            State state;
+            stepper.calc_state(s, state);
+            return state[2] - angle;
+        };
+        if (stepper.current_state()[2] == angle) return stepper.current_time();
+        std::uintmax_t steps = 100;
+        const auto [low, high] = roots::toms748_solve
+        (
+            excess, stepper.previous_time(), stepper.current_time(), roots::eps_tolerance<double>(50), steps
+        );
+        return 0.5*(low + high);
+    }
+
+    std::vector<DropProfilePoint> points(double end, int count) const
+    {
+        std::vector<double> lengths;
+        for (int i = 0; i < count; ++i) lengths.push_back(end*i/(count - 1));
+        std::vector<DropProfilePoint> result;
+        State state{};
+        odeint::integrate_times
+        (
+            denseStepper(apexCurvature_), *this, state, lengths.begin(), lengths.end(), 1e-3*end,
+            [&](const State& at, double s)
+            {
+                result.push_back({unit_*s, unit_*at[0], unit_*at[1], at[2], unit_*unit_*unit_*at[3]});
+            }
+        );
+        return result;
+    }
+
+private:
+    double unit_, apexCurvature_, gravity_;
+};
+
+}
+
+DropProfile bashforthAdams(double apexRadius, double capillaryLength, double contactAngle, int points)
+{
+    if (!(apexRadius > 0 && std::isfinite(apexRadius))) refuse("a positive radius of its apex", apexRadius);
+    if (!(capillaryLength > 0)) refuse("a positive capillary length", capillaryLength);
+    if (!(contactAngle > 0 && contactAngle <= 180)) refuse("a contact angle above 0 and up to 180 degrees", contactAngle);
+    const YoungLaplace equation(apexRadius, capillaryLength);
+    return {apexRadius, capillaryLength, equation.points(equation.lengthTo(radians(contactAngle)), points)};
+}
+
+DropProfile bashforthAdamsOfVolume(double volume, double capillaryLength, double contactAngle, int points)
+{
+    if (!(volume > 0 && std::isfinite(volume))) refuse("a positive volume", volume);
+    const auto logExcess = [&](double logRadius)
+    {
+        return std::log(bashforthAdams(std::exp(logRadius), capillaryLength, contactAngle, 2).volume()/volume);
+    };
+    // Gravity only flattens the apex: its radius is at least that of the cap without gravity.
+    const double cap = std::cbrt(volume/bashforthAdams(1, HUGE_VAL, contactAngle, 2).volume());
+    double low = std::log(cap), high = low;
+    do
+    {
+        low = high;
+        high += 0.5;
+    }
+    while (logExcess(high) < 0);
+    if (logExcess(low) > 0) low -= 1e-6;    // rounding, where gravity does not count
+    std::uintmax_t steps = 200;
+    const auto [below, above] = roots::toms748_solve(logExcess, low, high, roots::eps_tolerance<double>(45), steps);
+    return bashforthAdams(std::exp(0.5*(below + above)), capillaryLength, contactAngle, points);
+}
+
+}
