@@ -12,6 +12,7 @@ set(SHIZUKU_DEVICE_SOURCES
     walls/Walls.C
     motion/Motion.C
     motion/LiquidState.C
+    motion/SpeedMeter.C
     models/Models.C
     models/density/Density.C
     models/forces/InterParticleForces.C
@@ -38,6 +39,7 @@ set(SHIZUKU_DEVICE_SOURCES
     surface/MarchingCubesTable.C
     surface/BlockMap.C
     surface/LiquidSurface.C
+    functionObjects/FlowView.C
     functionObjects/FunctionObjects.C
     functionObjects/liquidState/LiquidStateTable.C
     functionObjects/stepTime/StepTime.C

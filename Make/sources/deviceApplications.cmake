@@ -3,5 +3,5 @@ set(SHIZUKU_DEVICE_APPLICATIONS
     solvers/pbfDroplet
     utilities/postProcessing/meshSurface
 )
-set(pbfDroplet_SOURCES pbfDroplet.C StepControl.C StepReport.C DryRun.C)
+set(pbfDroplet_SOURCES pbfDroplet.C StepControl.C StepReport.C SubStep.C DryRun.C)
 set(meshSurface_SOURCES meshSurface.C)

@@ -4,6 +4,7 @@ set(SHIZUKU_DEVICE_TESTS
     device/TestBuffer.C
     device/TestForEach.C
     device/TestReduce.C
+    functionObjects/TestFunctionObjects.C
     maths/TestKernel.C
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C
@@ -31,6 +32,7 @@ set(SHIZUKU_DEVICE_TESTS
 # What they share, with their main. Paths below tests/.
 set(SHIZUKU_DEVICE_TEST_SUPPORT
     support/DeviceMain.C
+    support/FlowCase.C
     support/LiquidCase.C
     support/PairReference.C
 )

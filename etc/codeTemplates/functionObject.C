@@ -25,12 +25,12 @@ public:
         table_(folder / "@word@.csv", {{"time", "s"}, {"distance", "m"}})
     {}
 
-    void execute(const Time& time, const LiquidState& state) override
+    void execute(FlowView& flow) override
     {
-        if (!first_) first_ = state.centroid;
+        const auto& b = flow.state().centroid;
+        if (!first_) first_ = b;
         const auto& a = *first_;
-        const auto& b = state.centroid;
-        table_.addRow({time.value(), std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2])});
+        table_.addRow({flow.time.value(), std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2])});
     }
 
     void write() override { table_.write(); }

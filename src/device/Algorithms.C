@@ -1,10 +1,14 @@
 #include "device/Algorithms.H"
+
+#include "core/messages/Error.H"
 #include "device/Device.H"
 #include "device/ExecutionPolicy.H"
 
 #include <thrust/device_ptr.h>
 #include <thrust/scan.h>
 #include <thrust/sort.h>
+
+#include <string>
 
 namespace shizuku
 {
@@ -17,7 +21,22 @@ void sortByKey(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values)
     thrust::stable_sort_by_key(device::executionPolicy(), key, key + keys.size(), value);
 }
 
-std::uint32_t exclusiveScan(const Buffer<std::uint32_t>& in, Buffer<std::uint32_t>& out)
+namespace
+{
+
+// Stays at the largest number instead of starting anew at zero.
+struct SaturatingSum
+{
+    HOST_DEVICE std::uint32_t operator()(std::uint32_t a, std::uint32_t b) const
+    {
+        const std::uint32_t sum = a + b;
+        return sum < a ? 0xffffffffu : sum;
+    }
+};
+
+}
+
+std::uint32_t exclusiveScan(const Buffer<std::uint32_t>& in, Buffer<std::uint32_t>& out, const char* list)
 {
     const int n = in.size();
     out.resizeDiscarding(n + 1);
@@ -25,9 +44,19 @@ std::uint32_t exclusiveScan(const Buffer<std::uint32_t>& in, Buffer<std::uint32_
     const auto target = thrust::device_pointer_cast(out.span().data);
     ++deviceCounters().launches;
     device::setBytes(out.span().data, 0, sizeof(std::uint32_t));
-    thrust::inclusive_scan(device::executionPolicy(), source, source + n, target + 1);
+    thrust::inclusive_scan(device::executionPolicy(), source, source + n, target + 1, SaturatingSum{});
     std::uint32_t total = 0;
     device::copyToHost(&total, out.span().data + n, sizeof(total));
+    constexpr std::uint32_t most = 0x7fffffffu;
+    if (total > most)
+    {
+        throw FatalError
+        (
+            "Too many " + std::string(list) + ": " + (total == 0xffffffffu ? "2^32 or more" : std::to_string(total))
+          + ", and a list holds at most " + std::to_string(most)
+          + ".\n    Use fewer particles, or a kernel with a shorter support in system/solution."
+        );
+    }
     return total;
 }
 

@@ -3,7 +3,7 @@
 namespace shizuku
 {
 
-FunctionObjects::FunctionObjects(const Time& time, bool enabled) : time_(time)
+FunctionObjects::FunctionObjects(const Time& time, bool enabled)
 {
     const Dictionary functions = time.controlDict().subDictOrEmpty("functions");
     if (!enabled) return;
@@ -17,11 +17,12 @@ FunctionObjects::FunctionObjects(const Time& time, bool enabled) : time_(time)
         ));
         dict.refuseUnused();
     }
+    functions.refuseUnused();           // a value is no function object, unless a macro takes it
 }
 
-void FunctionObjects::execute(const LiquidState& state)
+void FunctionObjects::execute(FlowView& flow)
 {
-    for (const auto& object : objects_) object->execute(time_, state);
+    for (const auto& object : objects_) object->execute(flow);
 }
 
 void FunctionObjects::write()

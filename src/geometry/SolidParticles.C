@@ -74,6 +74,11 @@ bool haveSolidParticles(const std::filesystem::path& casePath)
     return std::filesystem::exists(folderOf(casePath)) && useSolidParticles(casePath);
 }
 
+std::vector<std::string> readSolidPatches(const std::filesystem::path& casePath)
+{
+    return Dictionary::read(folderOf(casePath)/"patches").lookup<std::vector<std::string>>("patches");
+}
+
 SolidParticles readSolidParticles(const std::filesystem::path& casePath)
 {
     const std::filesystem::path folder = folderOf(casePath);
@@ -85,7 +90,7 @@ SolidParticles readSolidParticles(const std::filesystem::path& casePath)
     SolidParticles particles;
     particles.positions = toVectors(positions, count);
     particles.normals = toVectors(normals, count);
-    particles.patches = Dictionary::read(folder/"patches").lookup<std::vector<std::string>>("patches");
+    particles.patches = readSolidPatches(casePath);
     for (std::size_t i = 0; i < count; ++i)
     {
         const double label = patch(i);

@@ -15,7 +15,6 @@ HOST_DEVICE void LiquidSums::add(const LiquidSums& other)
     }
     mostSpeed2 = fmaxf(mostSpeed2, other.mostSpeed2);
     mostCompression = fmaxf(mostCompression, other.mostCompression);
-    nonFinite += other.nonFinite;
 }
 
 namespace
@@ -31,11 +30,6 @@ struct SumsOfParticle
         const Vec3 x = position[i], u = velocity[i];
         const float speed2 = squared(u), compression = fmaxf(density[i] - 1, 0);
         LiquidSums sums;
-        if (!(squared(x) < 1e30f && speed2 < 1e30f))
-        {
-            sums.nonFinite = 1;
-            return sums;
-        }
         sums.speed2 = sums.mostSpeed2 = speed2;
         sums.volume = 1 / (1 + compression);
         sums.compression = sums.mostCompression = compression;
@@ -59,7 +53,6 @@ LiquidState LiquidStateMeter::measure(const Liquid& liquid)
     const double speed = units.of(dimensions::velocity);
 
     LiquidState state;
-    state.nonFinite = sums.nonFinite;
     state.volume = p.particleVolume() * sums.volume;
     state.kineticEnergy = 0.5 * p.particleMass() * sums.speed2 * speed * speed;
     state.maxSpeed = std::sqrt(double(sums.mostSpeed2)) * speed;

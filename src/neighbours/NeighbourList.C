@@ -84,7 +84,7 @@ void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, 
     groupLength_.resizeDiscarding(groups);
     forEach(n, CountNeighbours{search, count_.span()});
     forEach(groups, LongestOfGroup{count_.span(), groupLength_.span()});
-    entries_ = exclusiveScan(groupLength_, start_);
+    entries_ = exclusiveScan(groupLength_, start_, "neighbours");
     index_.resizeDiscarding(int(entries_));
     forEach(n, StoreNeighbours{search, start_.span(), index_.span()});
 }

@@ -88,7 +88,7 @@ BlockMap::BlockMap(Span<const Vec3> positions, float cell, float reach)
     active_.resize(int(blocks));
     active_.setZero();
     forEach(positions.size, MarkBlocks{map_, reach, positions, active_.span()});
-    place_.resize(int(exclusiveScan(active_, first_)));
+    place_.resize(int(exclusiveScan(active_, first_, "blocks of cells")));
     forEach(int(blocks), PlaceBlocks{first_.span(), place_.span()});
 }
 

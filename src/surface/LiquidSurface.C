@@ -209,13 +209,13 @@ SurfaceMesh LiquidSurface::extract(const std::vector<Vec3>& positions)
 
     Buffer<std::uint32_t> flags(3 * nodes), firstVertex, firstTriangle;
     forEach(nodes, FindCrossings{field, flags.span()});
-    const int vertexCount = int(exclusiveScan(flags, firstVertex));
+    const int vertexCount = int(exclusiveScan(flags, firstVertex, "vertices of the surface"));
     Buffer<Vec3> vertices(vertexCount), normals(vertexCount);
     forEach(nodes, PlaceVertices{field, phi, firstVertex.span(), vertices.span(), normals.span()});
 
     flags.resize(nodes);
     forEach(nodes, CountTriangles{field, table_.span(), flags.span()});
-    Buffer<std::uint32_t> triangles(3 * int(exclusiveScan(flags, firstTriangle)));
+    Buffer<std::uint32_t> triangles(3 * int(exclusiveScan(flags, firstTriangle, "triangles of the surface")));
     forEach(nodes, StoreTriangles{field, table_.span(), firstTriangle.span(), firstVertex.span(), triangles.span()});
 
     mesh.vertices = vertices.download();

@@ -5,7 +5,7 @@
 #include "geometry/AnalyticSurface.H"
 #include "geometry/SolidParticles.H"
 #include "geometry/NearestPoint.H"
-#include "geometry/SolidParticles.H"
+#include "geometry/thetaModels/ThetaField.H"
 #include "particles/ParticleFiles.H"
 
 #include <cmath>
@@ -185,12 +185,22 @@ void Walls::requireContactAngles()
     }
     if (surfaces_.count > 0)
     {
+        // The entries of patches are sampleTheta's.
         const Dictionary wettability = Dictionary::read(case_ / "constant/wettability");
+        std::vector<std::string> names = sampled_ ? readSolidPatches(case_) : std::vector<std::string>();
+        for (const std::string& patch : names)
+        {
+            if (wettability.found(patch)) wettability.subDict(patch).markUsed();
+        }
+        names.insert(names.end(), surfaceNames_.begin(), surfaceNames_.end());
+        refuseUnknownWalls(wettability, names);
         for (int a = 0; a < surfaces_.count; ++a)
         {
             const Dictionary wall = wettability.subDict(surfaceNames_[a]);
+            wall.lookupChoiceOr("type", {"constant"}, "constant");
             surfaces_.surface[a].cosTheta = cosineOf(wall.lookup<double>("theta"), wall.where("theta"));
         }
+        wettability.refuseUnused();
     }
 }
 

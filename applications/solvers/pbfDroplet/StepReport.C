@@ -8,13 +8,14 @@
 namespace shizuku
 {
 
-void reportStep(const Time& time, const SubSteps& steps, const Models& models, const LiquidState& state)
+void reportStep(const SubSteps& steps, FlowView& flow)
 {
+    const LiquidState& state = flow.state();
     std::cout
-        << "\nTime = " << time.name() << " s  (" << time.progress() << ")\n"
+        << "\nTime = " << flow.time.name() << " s  (" << flow.time.progress() << ")\n"
         << "deltaT = " << steps.dt << " s, " << steps.count << (steps.count > 1 ? " sub-steps" : " sub-step")
         << ", limited by " << steps.limit << '\n'
-        << "pressure: iterations " << models.pressure->iterations()
+        << "pressure: iterations " << flow.models.pressure->iterations()
         << ", density error average " << state.averageDensityError << ", maximum " << state.maxDensityError << '\n'
         << "volume = " << state.volume << " m3, kinetic energy = " << state.kineticEnergy
         << " J, max |U| = " << state.maxSpeed << " m/s\n"
@@ -23,22 +24,22 @@ void reportStep(const Time& time, const SubSteps& steps, const Models& models, c
 
 void refuseDivergence
 (
-    const Time& time, const SubSteps& steps, double spacing, const LiquidState& state, const std::string& lastWritten
+    const Time& time, const SubSteps& steps, double spacing, const Speeds& speeds, const std::string& lastWritten
 )
 {
     constexpr double mostSpacings = 10;
-    const double moved = state.maxSpeed * steps.dt / spacing;
-    if (state.nonFinite == 0 && moved <= mostSpacings) return;
+    const double moved = speeds.most * steps.dt / spacing;
+    if (speeds.nonFinite == 0 && moved <= mostSpacings) return;
 
     std::ostringstream text;
     text << "The run diverged at time " << time.name() << " s: ";
-    if (state.nonFinite > 0)
+    if (speeds.nonFinite > 0)
     {
-        text << "the position or velocity of " << state.nonFinite << " particles is not a finite number.";
+        text << "the position or velocity of " << speeds.nonFinite << " particles is not a finite number.";
     }
     else
     {
-        text << "a particle moves at " << state.maxSpeed << " m/s, by " << moved << " particle spacings in one step of "
+        text << "a particle moves at " << speeds.most << " m/s, by " << moved << " particle spacings in one step of "
              << steps.dt << " s.";
     }
     text << "\n    The last good state is kept in " << lastWritten

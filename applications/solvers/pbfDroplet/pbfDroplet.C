@@ -1,14 +1,15 @@
 // pbfDroplet: liquid with surface tension on wettable solids, by position based fluids.
 //
-// The time loop is the algorithm. What each line computes, and from which paper, stands in the header it comes from.
+// The time loop, with the sub-step in SubStep.C, is the algorithm. What each line computes, and from which paper, stands
+// in the header it comes from.
 
 #include "DryRun.H"
 #include "StepControl.H"
 #include "StepReport.H"
+#include "SubStep.H"
 #include "core/arguments/runApplication.H"
 #include "functionObjects/FunctionObjects.H"
-#include "models/density/Density.H"
-#include "motion/Motion.H"
+#include "motion/SpeedMeter.H"
 #include "particles/ParticleFiles.H"
 
 #include <iostream>
@@ -39,54 +40,38 @@ void pbfDroplet(const Arguments& args)
     liquid.read(time.path());
     if (time.index() == 0) walls.refuseLiquidInside(liquid);
     Neighbourhood near(liquid);
-    LiquidStateMeter meter;
-    LiquidState state = meter.measure(liquid);
+    SpeedMeter meter;
+    Speeds speeds = meter.measure(liquid);
+    FlowView flow(time, liquid, near, walls, models);
     std::cout << "Liquid particles " << liquid.owned() << ", solid particles " << walls.particles()
               << ", analytic surfaces " << walls.surfaces() << std::endl;
 
-    if (args.found("dry-run")) return reportDryRun(time, control, liquid, walls, models, device, state);
+    if (args.found("dry-run")) return reportDryRun(time, control, liquid, walls, models, device, speeds.now);
 
     std::string lastWritten = time.path();
     while (time.running())
     {
         if (time.readIfModified()) control = StepControl(time.controlDict());
-        const SubSteps steps = control.divide(time.deltaT(), state.maxSpeed, liquid, models);
+        const SubSteps steps = control.divide(time.deltaT(), speeds.now, liquid, models);
         const float dt = liquid.units().toScaled(steps.dt, dimensions::time);
         time.advance();
 
         for (int step = 0; step < steps.count; ++step)
         {
-            models.bodyForce->apply(liquid, dt);
-            predictPositions(liquid, dt);
-
-            near.update(liquid);
-            walls.update(liquid);
-            models.forces.applyBeforeIterations(liquid, near, walls, dt);
-            walls.project(liquid);
-
-            models.pressure->begin();
-            while (models.pressure->violated(liquid, near, walls))
-            {
-                models.forces.applyInIteration(liquid, near, walls, dt);
-                models.pressure->correct(liquid, near, walls);
-                walls.project(liquid);
-            }
-
-            updateVelocities(liquid, dt);
-            models.viscosity->apply(liquid, near, walls, dt);
+            subStep(liquid, near, walls, models, dt);
+            meter.watch(liquid);
         }
+        speeds = meter.measure(liquid);
+        refuseDivergence(time, steps, liquid.properties().spacing, speeds, lastWritten);
 
-        if (time.reportDue()) computeDensity(liquid, near, walls);
-        state = meter.measure(liquid);
-        refuseDivergence(time, steps, liquid.properties().spacing, state, lastWritten);
-        functions.execute(state);
-
-        if (time.reportDue()) reportStep(time, steps, models, state);
+        flow.moved();
+        functions.execute(flow);
+        if (time.reportDue()) reportStep(steps, flow);
         if (time.writeDue())
         {
             time.write([&](const auto& folder)
             {
-                writeParticles(liquid, liquid.units(), folder / liquid.name(), time.format());
+                writeParticles(flow.liquid(), liquid.units(), folder / liquid.name(), time.format());
             });
             functions.write();
             lastWritten = time.path();

@@ -35,14 +35,15 @@ public:
         if (interval_ < 1) throw FatalInputError(dict.where("executeInterval"), "executeInterval is not positive", "1 or more");
     }
 
-    void execute(const Time& time, const LiquidState& state) override
+    void execute(FlowView& flow) override
     {
-        if (time.index() % interval_ != 0) return;
+        if (flow.time.index() % interval_ != 0) return;
+        const LiquidState& state = flow.state();
         const auto& x = state.centroid;
         const auto& m = state.momentum;
         table_.addRow
         ({
-            time.value(), state.volume, state.kineticEnergy, state.maxSpeed, x[0], x[1], x[2], m[0], m[1], m[2],
+            flow.time.value(), state.volume, state.kineticEnergy, state.maxSpeed, x[0], x[1], x[2], m[0], m[1], m[2],
             state.averageDensityError, state.maxDensityError
         });
     }

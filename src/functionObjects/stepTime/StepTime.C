@@ -24,11 +24,11 @@ public:
         table_(folder / "stepTime.csv", {{"time", "s"}, {"wall", "ms"}}), last_(Clock::now())
     {}
 
-    // The state was read off the device: the step is complete.
-    void execute(const Time& time, const LiquidState&) override
+    // The speeds were read off the device: the step is complete.
+    void execute(FlowView& flow) override
     {
         const auto now = Clock::now();
-        table_.addRow({time.value(), std::chrono::duration<double, std::milli>(now - last_).count()});
+        table_.addRow({flow.time.value(), std::chrono::duration<double, std::milli>(now - last_).count()});
         last_ = Clock::now();
     }
 

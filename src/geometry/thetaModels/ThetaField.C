@@ -39,13 +39,8 @@ bool meansAnyOf(const std::string& keyword, const std::vector<std::string>& name
 
 }
 
-std::vector<double> thetaField
-(
-    const SolidParticles& solid, const std::vector<AnalyticSurface>& walls, const Dictionary& wettability
-)
+void refuseUnknownWalls(const Dictionary& wettability, const std::vector<std::string>& names)
 {
-    std::vector<std::string> names = solid.patches;
-    for (const AnalyticSurface& wall : walls) names.push_back(wall.name);
     for (const std::string& keyword : wettability.dictKeys())
     {
         if (!meansAnyOf(keyword, names))
@@ -57,7 +52,16 @@ std::vector<double> thetaField
             );
         }
     }
+}
 
+std::vector<double> thetaField
+(
+    const SolidParticles& solid, const std::vector<AnalyticSurface>& walls, const Dictionary& wettability
+)
+{
+    std::vector<std::string> names = solid.patches;
+    for (const AnalyticSurface& wall : walls) names.push_back(wall.name);
+    refuseUnknownWalls(wettability, names);
     std::vector<std::unique_ptr<ThetaModel>> models;        // the patches', then the walls', which are only checked
     for (const std::string& name : names) models.push_back(readModel(wettability, name));
     wettability.refuseUnused();

@@ -106,6 +106,7 @@ TEST_P(Input, controlDict)
             {good + "deltaT 1e-3;\nstartFrom latest;", {"'latest'", "line 4", "latestTime", "firstTime"}},
             {good + "deltaT 1e-3;\nfunctions { a { type liquidStat; } }", {"'liquidStat'", "line 4", "liquidState"}},
             {good + "deltaT 1e-3;\nfunctions\n{\n    a { type liquidState; interval 2; }\n}", {"'interval'", "line 6"}},
+            {good + "deltaT 1e-3;\nfunctions\n{\n    drop liquidState;\n}", {"'drop'", "functions", "line 6"}},
             {good + "deltaT 1e-3", {"line 3"}},
         }
     );
@@ -208,6 +209,9 @@ TEST_P(Input, walls)
         "constant/wettability",
         {
             {"floor { theta 60; }", {"'side' is missing"}},
+            {"side { theta 60; }\nlid { theta 90; }", {"no patch or wall 'lid'", "line 2", "floor", "side"}},
+            {"side { theta 60; roughness 1; }", {"'roughness'", "line 1"}},
+            {"side { type stripes; theta 60; }", {"'stripes'", "constant"}},
             {"side { thet 60; }", {"'theta' is missing", "Did you mean 'thet'"}},
             {"\nside { theta -1; }", {"-1 degrees", "line 2", "0 to 180"}},
         }

@@ -1,5 +1,6 @@
 #include "device/Algorithms.H"
 #include "support/PointSets.H"
+#include "support/ScratchFolder.H"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,20 @@ TEST(Algorithms, ExclusiveScanReturnsTheTotalBehindThePrefixSums)
         for (const auto value : in) expected.push_back(expected.back() + value);
 
         Buffer<std::uint32_t> out;
-        EXPECT_EQ(exclusiveScan(Buffer<std::uint32_t>(in), out), expected.back());
+        EXPECT_EQ(exclusiveScan(Buffer<std::uint32_t>(in), out, "numbers"), expected.back());
         EXPECT_EQ(out.download(), expected);
+    }
+}
+
+// Totals just above what an index counts, above 2^32, and one that is zero again modulo 2^32.
+TEST(Algorithms, ExclusiveScanRefusesATotalThatNoIndexCanCount)
+{
+    constexpr std::uint32_t half = 1u << 31;
+    Buffer<std::uint32_t> out;
+    EXPECT_EQ(exclusiveScan(Buffer<std::uint32_t>({half - 2, 1}), out, "numbers"), half - 1);
+    for (const auto& in : {std::vector{half - 1, 1u}, std::vector{half, half - 1, 7u}, std::vector{half, 0u, half}})
+    {
+        const auto scan = [&] { exclusiveScan(Buffer<std::uint32_t>(in), out, "numbers"); };
+        EXPECT_TRUE(holds(messageOf<FatalError>(scan), {"Too many numbers", "at most 2147483647"}));
     }
 }

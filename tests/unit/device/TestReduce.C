@@ -87,3 +87,16 @@ TEST(Reduce, KeepsItsScratchMemory)
     reduce(1000000, Squares{}, scratch);
     EXPECT_EQ(deviceCounters().bytes, bytes);
 }
+
+TEST(Accumulator, FoldsOverSeveralCallsAndBeginsAnew)
+{
+    Accumulator<LongSum> sum;
+    EXPECT_EQ(sum.take().value, 0);
+    for (int repeat = 0; repeat < 2; ++repeat)
+    {
+        sum.add(3, Squares{});          // 0 + 1 + 4
+        sum.add(5000, Squares{});
+        EXPECT_EQ(sum.take().value, 5 + 4999L * 5000 * 9999 / 6);
+        EXPECT_EQ(sum.take().value, 0);
+    }
+}

@@ -1,6 +1,7 @@
 #include "motion/Motion.H"
 
 #include "motion/LiquidState.H"
+#include "motion/SpeedMeter.H"
 #include "support/LiquidCase.H"
 
 using namespace shizuku;
@@ -52,19 +53,39 @@ TEST(LiquidState, SumsTheLiquidInSIUnits)
     EXPECT_NEAR(state.momentum[0], 3e-6, 1e-12);
     EXPECT_NEAR(state.momentum[1], -1e-6, 1e-12);
     EXPECT_NEAR(state.momentum[2], 4e-6, 1e-12);
-    EXPECT_EQ(state.nonFinite, 0);
 }
 
-TEST(LiquidState, CountsWhatIsNotANumber)
+// 5 m/s in the first sub-step, 2 m/s in the second: `most` keeps the first, `now` is the second.
+TEST(SpeedMeter, KeepsTheFastestOfTheSubSteps)
+{
+    LiquidCase drop;
+    drop.liquid.resize(2);
+    const auto speed = [&](double si) { return drop.liquid.units().toScaled(si, dimensions::velocity); };
+    SpeedMeter meter;
+    drop.liquid.velocity.upload({{speed(3), 0, speed(4)}, {0, 0, 0}});
+    meter.watch(drop.liquid);
+    drop.liquid.velocity.upload({{0, 0, 0}, {0, speed(-2), 0}});
+    meter.watch(drop.liquid);
+    const Speeds speeds = meter.measure(drop.liquid);
+    EXPECT_NEAR(speeds.most, 5, 1e-6);              // stored in single precision
+    EXPECT_NEAR(speeds.now, 2, 1e-6);
+    EXPECT_EQ(speeds.nonFinite, 0);
+    EXPECT_NEAR(meter.measure(drop.liquid).most, 2, 1e-6);      // the first sub-step is of a former step now
+}
+
+TEST(SpeedMeter, CountsWhatIsNotANumber)
 {
     LiquidCase drop;
     drop.liquid.resize(4);
     const float bad = std::numeric_limits<float>::quiet_NaN(), far = std::numeric_limits<float>::infinity();
     drop.liquid.position.upload({{0, bad, 0}, {0, 0, 0}, {far, 0, 0}, {1, 0, 0}});
     drop.liquid.velocity.upload({{0, 0, 0}, {0, 0, bad}, {0, 0, 0}, {0, 2, 0}});
-    drop.liquid.density.upload({1, 1, 1, 1});
-    const LiquidState state = LiquidStateMeter().measure(drop.liquid);
-    EXPECT_EQ(state.nonFinite, 3);
-    EXPECT_TRUE(std::isfinite(state.maxSpeed));                 // the others are measured
-    EXPECT_GT(state.maxSpeed, 0);
+    SpeedMeter meter;
+    EXPECT_EQ(meter.measure(drop.liquid).nonFinite, 3);
+    EXPECT_TRUE(std::isfinite(meter.measure(drop.liquid).now));             // the others are measured
+    EXPECT_GT(meter.measure(drop.liquid).now, 0);
+    meter.watch(drop.liquid);
+    drop.liquid.position.setZero();
+    drop.liquid.velocity.setZero();
+    EXPECT_EQ(meter.measure(drop.liquid).nonFinite, 3);                     // it was, even where it no longer shows
 }

@@ -11,14 +11,7 @@ namespace shizuku
 namespace
 {
 
-class Akinci2013 : public PairTension
-{
-public:
-    Akinci2013(const Dictionary& coeffs, Liquid& liquid, Walls& walls)
-    :
-        PairTension(coeffs, liquid, walls, WallNormals::no)
-    {}
-};
+using Akinci2013 = PairTensionOf<PairTension::WallNormals::no>;
 
 const SurfaceTensionTable::Add<Akinci2013> registered{"Akinci2013"};
 

@@ -11,14 +11,7 @@ namespace shizuku
 namespace
 {
 
-class Fujisawa2014 : public PairTension
-{
-public:
-    Fujisawa2014(const Dictionary& coeffs, Liquid& liquid, Walls& walls)
-    :
-        PairTension(coeffs, liquid, walls, WallNormals::yes)
-    {}
-};
+using Fujisawa2014 = PairTensionOf<PairTension::WallNormals::yes>;
 
 const SurfaceTensionTable::Add<Fujisawa2014> registered{"Fujisawa2014"};
 

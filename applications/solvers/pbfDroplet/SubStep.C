@@ -1,0 +1,30 @@
+#include "SubStep.H"
+
+#include "motion/Motion.H"
+
+namespace shizuku
+{
+
+void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, float dt)
+{
+    models.bodyForce->apply(liquid, dt);
+    predictPositions(liquid, dt);
+
+    near.update(liquid);
+    walls.update(liquid);
+    models.forces.applyBeforeIterations(liquid, near, walls, dt);
+    walls.project(liquid);
+
+    models.pressure->begin();
+    while (models.pressure->violated(liquid, near, walls))
+    {
+        models.forces.applyInIteration(liquid, near, walls, dt);
+        models.pressure->correct(liquid, near, walls);
+        walls.project(liquid);
+    }
+
+    updateVelocities(liquid, dt);
+    models.viscosity->apply(liquid, near, walls, dt);
+}
+
+}

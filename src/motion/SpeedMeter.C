@@ -1,0 +1,43 @@
+#include "motion/SpeedMeter.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct SpeedOf
+{
+    Span<const Vec3> position, velocity;
+
+    HOST_DEVICE SpeedMeter::Fastest operator()(int i) const
+    {
+        const float speed2 = squared(velocity[i]);
+        if (squared(position[i]) < 1e30f && speed2 < 1e30f) return {speed2, 0};
+        return {0, 1};
+    }
+};
+
+SpeedOf speedOf(const Liquid& liquid)
+{
+    return {liquid.position.span(), liquid.velocity.span()};
+}
+
+}
+
+void SpeedMeter::watch(const Liquid& liquid)
+{
+    watched_.add(liquid.owned(), speedOf(liquid));
+}
+
+Speeds SpeedMeter::measure(const Liquid& liquid)
+{
+    const Fastest now = reduce(liquid.owned(), speedOf(liquid), scratch_), watched = watched_.take();
+    const auto speed = [&](float speed2) { return std::sqrt(double(speed2)) * liquid.units().of(dimensions::velocity); };
+    return {speed(now.speed2), speed(std::max(now.speed2, watched.speed2)), now.nonFinite > 0 ? now.nonFinite : watched.nonFinite};
+}
+
+}
