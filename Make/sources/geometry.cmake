@@ -2,7 +2,6 @@
 set(SHIZUKU_GEOMETRY_SOURCES
     geometry/AnalyticSurface.C
     geometry/ContactAngle.C
-    geometry/Drops.C
     geometry/LiquidFiles.C
     geometry/MeshTopology.C
     geometry/NearestPoint.C
@@ -15,6 +14,11 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/TriangleMesh.C
     geometry/Vector3.C
     geometry/WallPlane.C
+    geometry/drops/DropMeasurement.C
+    geometry/drops/DropNumbers.C
+    geometry/drops/DropTable.C
+    geometry/drops/Drops.C
+    geometry/drops/PrescribedAngle.C
     geometry/liquidBodies/BoxBody.C
     geometry/liquidBodies/CapBody.C
     geometry/liquidBodies/CylinderBody.C

@@ -1,4 +1,4 @@
-#include "geometry/Drops.H"
+#include "geometry/drops/Drops.H"
 #include "geometry/WallPlane.H"
 #include "support/CapMesh.H"
 

@@ -1,4 +1,4 @@
-#include "PrescribedAngle.H"
+#include "geometry/drops/PrescribedAngle.H"
 
 #include "core/dictionary/Dictionary.H"
 #include "core/time/Time.H"

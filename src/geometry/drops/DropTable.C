@@ -1,4 +1,4 @@
-#include "DropTable.H"
+#include "geometry/drops/DropTable.H"
 
 #include <cmath>
 #include <iomanip>

@@ -1,4 +1,4 @@
-#include "DropNumbers.H"
+#include "geometry/drops/DropNumbers.H"
 
 #include <algorithm>
 

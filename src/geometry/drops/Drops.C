@@ -1,4 +1,4 @@
-#include "geometry/Drops.H"
+#include "geometry/drops/Drops.H"
 
 #include "geometry/MeshTopology.H"
 #include "geometry/PointsInside.H"
