@@ -39,6 +39,7 @@ set(SHIZUKU_DEVICE_SOURCES
     surface/MarchingCubesTable.C
     surface/BlockMap.C
     surface/LiquidSurface.C
+    surface/CaseSurface.C
     functionObjects/FlowView.C
     functionObjects/FunctionObjects.C
     functionObjects/liquidState/LiquidStateTable.C

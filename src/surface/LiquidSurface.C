@@ -191,14 +191,18 @@ LiquidSurface::LiquidSurface(const SurfaceParameters& parameters)
 
 SurfaceMesh LiquidSurface::extract(const std::vector<Vec3>& positions)
 {
-    SurfaceMesh mesh;
-    const int n = int(positions.size());
-    if (n == 0) return mesh;
-
     const Buffer<Vec3> given(positions);
+    return extract(given.span());
+}
+
+SurfaceMesh LiquidSurface::extract(Span<const Vec3> positions)
+{
+    SurfaceMesh mesh;
+    if (positions.size == 0) return mesh;
+
     Buffer<Vec3> particles;
     CellGrid grid(parameters_.support);
-    gather(given, grid.build(given.span(), n), particles);
+    gather(positions, grid.build(positions, positions.size), particles);
     const Indicator phi{kernel_, volume_, grid.view(), particles.span()};
 
     const BlockMap blocks(particles.span(), parameters_.cell, parameters_.support + parameters_.cell);

@@ -1,0 +1,34 @@
+#include "surface/CaseSurface.H"
+
+#include "core/dictionary/Dictionary.H"
+
+namespace shizuku
+{
+
+SurfaceParameters readSurfaceParameters(const std::filesystem::path& casePath, float spacing)
+{
+    const auto file = casePath / "system/meshSurfaceDict";
+    const Dictionary dict = std::filesystem::exists(file) ? Dictionary::read(file) : Dictionary();
+    const double cell = dict.lookupOr("cell", 0.5), support = dict.lookupOr("support", 2.0);
+    dict.refuseUnused();
+    if (!(cell >= 0.1 && cell <= 2)) throw FatalInputError(dict.where("cell"), "The cell is out of range", "0.1 to 2 spacings");
+    if (!(support >= 1 && support <= 8))
+    {
+        throw FatalInputError(dict.where("support"), "The support is out of range", "1 to 8 spacings");
+    }
+    return {spacing, float(cell) * spacing, float(support) * spacing};
+}
+
+TriangleMesh toTriangleMesh(const SurfaceMesh& mesh, double unit)
+{
+    TriangleMesh result;
+    for (const Vec3& p : mesh.vertices) result.vertices.push_back({p.x * unit, p.y * unit, p.z * unit});
+    for (const Vec3& n : mesh.normals) result.normals.push_back({n.x, n.y, n.z});
+    for (std::size_t k = 0; k < mesh.triangles.size(); k += 3)
+    {
+        result.faces.push_back({int(mesh.triangles[k]), int(mesh.triangles[k + 1]), int(mesh.triangles[k + 2])});
+    }
+    return result;
+}
+
+}
