@@ -12,6 +12,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/SphereFit.C
     geometry/StlFile.C
     geometry/TriangleMesh.C
+    geometry/UnitVector.C
     geometry/Vector3.C
     geometry/WallPlane.C
     geometry/drops/DropMeasurement.C
@@ -22,10 +23,17 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/liquidBodies/BoxBody.C
     geometry/liquidBodies/CapBody.C
     geometry/liquidBodies/CylinderBody.C
+    geometry/liquidBodies/FilledBody.C
     geometry/liquidBodies/LiquidBody.C
     geometry/liquidBodies/LiquidChecks.C
     geometry/liquidBodies/SphereBody.C
+    geometry/liquidBodies/SurfaceBody.C
+    geometry/thetaModels/ChecksTheta.C
     geometry/thetaModels/ConstantTheta.C
+    geometry/thetaModels/ExpressionTheta.C
+    geometry/thetaModels/RegionsTheta.C
+    geometry/thetaModels/StripePattern.C
+    geometry/thetaModels/StripesTheta.C
     geometry/thetaModels/ThetaField.C
     geometry/thetaModels/ThetaModel.C
 )

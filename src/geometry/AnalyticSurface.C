@@ -1,5 +1,7 @@
 #include "geometry/AnalyticSurface.H"
 
+#include "geometry/UnitVector.H"
+
 #include <algorithm>
 #include <utility>
 
@@ -42,21 +44,6 @@ Vector3 towardsBox(const AnalyticSurface& box, const Vector3& x)
     };
 }
 
-Vector3 readDirection(const Dictionary& wall, const std::string& key)
-{
-    const Vector3 direction = wall.lookup<std::array<double, 3>>(key);
-    const double l = length(direction);
-    if (!(l > 0) || !std::isfinite(l))
-    {
-        throw FatalInputError
-        (
-            wall.where(key), "The " + key + " " + str(direction) + " of wall " + wall.name() + " has no direction",
-            "a vector of any length but zero"
-        );
-    }
-    return direction/l;
-}
-
 bool readLiquidInside(const Dictionary& wall)
 {
     return wall.lookupChoice("liquid", {"inside", "outside"}) == "inside";
@@ -71,7 +58,7 @@ AnalyticSurface readSurface(const std::string& name, const std::string& type, co
     {
         surface.type = Type::plane;
         surface.point = wall.lookupDimensionedVector("point", dimensions::length);
-        surface.direction = readDirection(wall, "normal");
+        surface.direction = readUnitVector(wall, "normal");
     }
     else if (type == "sphere")
     {
@@ -84,7 +71,7 @@ AnalyticSurface readSurface(const std::string& name, const std::string& type, co
     {
         surface.type = Type::cylinder;
         surface.point = wall.lookupDimensionedVector("point", dimensions::length);
-        surface.direction = readDirection(wall, "axis");
+        surface.direction = readUnitVector(wall, "axis");
         surface.radius = wall.lookupPositive("radius", dimensions::length);
         surface.liquidInside = readLiquidInside(wall);
     }

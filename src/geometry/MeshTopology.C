@@ -1,6 +1,8 @@
 #include "geometry/MeshTopology.H"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <numeric>
 
 namespace shizuku
@@ -71,6 +73,25 @@ MeshDefects findDefects(const TriangleMesh& mesh)
         first = last;
     }
     return defects;
+}
+
+TriangleMesh withSharedVertices(const TriangleMesh& mesh)
+{
+    TriangleMesh result;
+    std::map<std::array<double, 3>, int> indices;
+    const auto indexOf = [&](const Vector3& v)
+    {
+        // 0 and -0 are the same place.
+        const auto [entry, isNew] = indices.try_emplace({v.x + 0.0, v.y + 0.0, v.z + 0.0}, int(result.vertices.size()));
+        if (isNew) result.vertices.push_back(v);
+        return entry->second;
+    };
+    for (const auto& [i, j, k] : mesh.faces)
+    {
+        const int a = indexOf(mesh.vertices[i]), b = indexOf(mesh.vertices[j]), c = indexOf(mesh.vertices[k]);
+        if (a != b && b != c && c != a) result.faces.push_back({a, b, c});
+    }
+    return result;
 }
 
 std::vector<TriangleMesh> connectedComponents(const TriangleMesh& mesh)

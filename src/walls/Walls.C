@@ -3,8 +3,8 @@
 #include "core/fieldFile/FieldFile.H"
 #include "core/time/Time.H"
 #include "geometry/AnalyticSurface.H"
-#include "geometry/SolidParticles.H"
 #include "geometry/NearestPoint.H"
+#include "geometry/SolidParticles.H"
 #include "geometry/thetaModels/ThetaField.H"
 #include "particles/ParticleFiles.H"
 
@@ -18,10 +18,15 @@ namespace
 {
 
 // theta in degrees
-float cosineOf(double theta, const SourceLocation& where)
+float cosine(double theta)
 {
     constexpr double degree = 3.14159265358979323846 / 180;
-    if (theta >= 0 && theta <= 180) return float(std::cos(theta * degree));
+    return float(std::cos(theta * degree));
+}
+
+float cosineOf(double theta, const SourceLocation& where)
+{
+    if (theta >= 0 && theta <= 180) return cosine(theta);
     std::ostringstream text;
     text << "A contact angle of " << theta << " degrees";
     throw FatalInputError(where, text.str(), "0 to 180 degrees");
@@ -196,9 +201,7 @@ void Walls::requireContactAngles()
         refuseUnknownWalls(wettability, names);
         for (int a = 0; a < surfaces_.count; ++a)
         {
-            const Dictionary wall = wettability.subDict(surfaceNames_[a]);
-            wall.lookupChoiceOr("type", {"constant"}, "constant");
-            surfaces_.surface[a].cosTheta = cosineOf(wall.lookup<double>("theta"), wall.where("theta"));
+            surfaces_.surface[a].cosTheta = cosine(wallTheta(wettability, surfaceNames_[a]));
         }
         wettability.refuseUnused();
     }

@@ -2,6 +2,7 @@
 
 #include <boost/spirit/home/x3.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -19,15 +20,17 @@ namespace x3 = boost::spirit::x3;
 using x3::_attr;
 using x3::_val;
 
-// A parsed expression is a function without arguments, so that ?: && || evaluate only what they need.
-using Term = std::function<double()>;
+// A parsed expression is a function of the variables' values, so that ?: && || if() evaluate only what they need.
+using Values = const std::vector<double>&;
+using Term = std::function<double(Values)>;
 using Terms = std::vector<Term>;
 
 struct Evaluation
 {
-    const std::string& text;
-    const SourceLocation& where;
-    const MacroValue& macro;
+    std::string text;
+    SourceLocation where;
+    MacroValue macro;
+    std::vector<std::string> variables;
 
     [[noreturn]] void fail(const std::string& what, const std::string& expected = "") const
     {
@@ -48,17 +51,22 @@ const Evaluation& evaluationOf(const Context& context)
 struct Function
 {
     std::size_t arguments;
-    std::function<double(const std::vector<double>&)> value;
+    std::function<double(const Terms&, Values)> value;
 };
 
 Function unary(double (*f)(double))
 {
-    return {1, [f](const std::vector<double>& x) { return f(x[0]); }};
+    return {1, [f](const Terms& x, Values v) { return f(x[0](v)); }};
 }
 
 Function binary(double (*f)(double, double))
 {
-    return {2, [f](const std::vector<double>& x) { return f(x[0], x[1]); }};
+    return {2, [f](const Terms& x, Values v) { return f(x[0](v), x[1](v)); }};
+}
+
+double chosen(const Terms& x, Values v)
+{
+    return x[0](v) != 0 ? x[1](v) : x[2](v);
 }
 
 const std::map<std::string, Function>& functions()
@@ -76,7 +84,8 @@ const std::map<std::string, Function>& functions()
         {"radToDeg", unary([](double x) { return x*180/std::numbers::pi; })},
         {"atan2", binary(std::atan2)}, {"hypot", binary(std::hypot)}, {"pow", binary(std::pow)},
         {"min", binary(std::fmin)}, {"max", binary(std::fmax)},
-        {"pi", {0, [](const std::vector<double>&) { return std::numbers::pi; }}}
+        {"if", {3, chosen}},
+        {"pi", {0, [](const Terms&, Values) { return std::numbers::pi; }}}
     };
     return table;
 }
@@ -86,12 +95,12 @@ Term call(const Evaluation& evaluation, const std::string& name, const Terms& ar
     const auto found = functions().find(name);
     if (found == functions().end())
     {
-        std::vector<std::string> names;
+        std::vector<std::string> names = evaluation.variables;
         for (const auto& [word, function] : functions()) names.push_back(word);
         throw FatalInputError
         (
             evaluation.where, "Unknown name '" + name + "' in the expression \"" + evaluation.text + "\"",
-            "one of the functions below, or $" + name + " for an entry", names, name
+            "one of the names below, or $" + name + " for an entry", names, name
         );
     }
     const Function& function = found->second;
@@ -103,12 +112,7 @@ Term call(const Evaluation& evaluation, const std::string& name, const Terms& ar
             std::to_string(function.arguments) + " arguments"
         );
     }
-    return [&function, arguments]()
-    {
-        std::vector<double> values;
-        for (const Term& argument : arguments) values.push_back(argument());
-        return function.value(values);
-    };
+    return [&function, arguments](Values v) { return function.value(arguments, v); };
 }
 
 // ---- Semantic actions
@@ -120,9 +124,9 @@ auto combine(Operation operation)
     return [operation](auto& context)
     {
         const Evaluation& evaluation = evaluationOf(context);
-        _val(context) = [operation, &evaluation, a = Term(_val(context)), b = Term(_attr(context))]()
+        _val(context) = [operation, &evaluation, a = Term(_val(context)), b = Term(_attr(context))](Values v)
         {
-            return operation(a, b, evaluation);
+            return operation(a, b, v, evaluation);
         };
     };
 }
@@ -132,7 +136,7 @@ auto applied(Operation operation)
 {
     return [operation](auto& context)
     {
-        _val(context) = [operation, a = Term(_attr(context))]() { return double(operation(a())); };
+        _val(context) = [operation, a = Term(_attr(context))](Values v) { return double(operation(a(v))); };
     };
 }
 
@@ -140,33 +144,32 @@ auto applied(Operation operation)
 template<class Operation>
 auto values(Operation operation)
 {
-    return combine([operation](const Term& a, const Term& b, const Evaluation&)
+    return combine([operation](const Term& a, const Term& b, Values v, const Evaluation&)
     {
-        return double(operation(a(), b()));
+        return double(operation(a(v), b(v)));
     });
 }
 
 template<class Operation>
 auto division(Operation operation)
 {
-    return combine([operation](const Term& a, const Term& b, const Evaluation& evaluation)
+    return combine([operation](const Term& a, const Term& b, Values v, const Evaluation& evaluation)
     {
-        const double divisor = b();
+        const double divisor = b(v);
         if (divisor == 0) evaluation.fail("Division by zero");
-        return operation(a(), divisor);
+        return operation(a(v), divisor);
     });
 }
 
 const auto pass = [](auto& context) { _val(context) = _attr(context); };
-const auto constant = [](auto& context) { _val(context) = [value = double(_attr(context))]() { return value; }; };
+const auto constant = [](auto& context) { _val(context) = [value = double(_attr(context))](Values) { return value; }; };
 const auto add = [](auto& context) { _val(context).push_back(_attr(context)); };
 const auto addName = [](auto& context) { _val(context).assign(_attr(context).begin(), _attr(context).end()); };
 
 const auto macroValue = [](auto& context)
 {
     const Evaluation& evaluation = evaluationOf(context);
-    const std::string name = _attr(context);
-    _val(context) = [&evaluation, name]() { return evaluation.macro(name); };
+    _val(context) = [value = evaluation.macro(_attr(context))](Values) { return value; };
 };
 
 const auto functionCall = [](auto& context)
@@ -175,7 +178,14 @@ const auto functionCall = [](auto& context)
     _val(context) = call(evaluationOf(context), at_c<0>(_attr(context)), at_c<1>(_attr(context)));
 };
 
-const auto constantCall = [](auto& context) { _val(context) = call(evaluationOf(context), _attr(context), {}); };
+const auto variableOrConstant = [](auto& context)
+{
+    const Evaluation& evaluation = evaluationOf(context);
+    const auto& names = evaluation.variables;
+    const auto variable = std::find(names.begin(), names.end(), _attr(context));
+    if (variable == names.end()) _val(context) = call(evaluation, _attr(context), {});
+    else _val(context) = [i = std::size_t(variable - names.begin())](Values v) { return v[i]; };
+};
 
 // ---- Grammar, from the loosest binding to the tightest
 
@@ -196,14 +206,20 @@ const x3::rule<class BranchesTag, Terms> branches = "? :";
 
 const auto pickBranch = [](auto& context)
 {
-    _val(context) = [condition = Term(_val(context)), branch = Terms(_attr(context))]()
+    _val(context) = [condition = Term(_val(context)), branch = Terms(_attr(context))](Values v)
     {
-        return condition() != 0 ? branch[0]() : branch[1]();
+        return condition(v) != 0 ? branch[0](v) : branch[1](v);
     };
 };
 
-const auto eitherTerm = combine([](const Term& a, const Term& b, const Evaluation&) { return double(a() || b()); });
-const auto bothTerms = combine([](const Term& a, const Term& b, const Evaluation&) { return double(a() && b()); });
+const auto eitherTerm = combine([](const Term& a, const Term& b, Values v, const Evaluation&)
+{
+    return double(a(v) || b(v));
+});
+const auto bothTerms = combine([](const Term& a, const Term& b, Values v, const Evaluation&)
+{
+    return double(a(v) && b(v));
+});
 const auto remainder = division([](double a, double b) { return std::fmod(a, b); });
 const auto raise = values([](double a, double b) { return std::pow(a, b); });
 
@@ -225,7 +241,7 @@ const auto sign_def = ('-' > sign[applied(std::negate<>())]) | ('+' > sign[pass]
     | ('!' > sign[applied(std::logical_not<>())]) | power[pass];
 const auto power_def = primary[pass] >> -('^' > sign[raise]);
 const auto primary_def = x3::double_[constant] | ('(' > choice[pass] > ')') | macro[macroValue]
-    | (name >> arguments)[functionCall] | name[constantCall];
+    | (name >> arguments)[functionCall] | name[variableOrConstant];
 const auto blank = x3::space | "//" >> *(x3::char_ - x3::eol) | "/*" >> *(x3::char_ - "*/") >> "*/";
 const auto arguments_def = '(' >> -(choice[add] % ',') > ')';
 const auto name_def = x3::lexeme[x3::raw[x3::alpha >> *(x3::alnum | '_')][addName]];
@@ -237,24 +253,39 @@ BOOST_SPIRIT_DEFINE(choice, either, both, equality, order, sum, product, sign, p
 
 }
 
-double evaluate(const std::string& expression, const SourceLocation& where, const MacroValue& macro)
+struct CalcExpression::Parsed
 {
-    const Evaluation evaluation{expression, where, macro};
+    Evaluation evaluation;      // the term refers to it
     Term term;
-    auto first = expression.begin();
+};
+
+CalcExpression::CalcExpression
+(
+    const std::string& text, const SourceLocation& where, const MacroValue& macro,
+    const std::vector<std::string>& variables
+)
+{
+    const auto parsed = std::make_shared<Parsed>(Parsed{{text, where, macro, variables}, {}});
+    const Evaluation& evaluation = parsed->evaluation;
+    auto first = text.begin();
     try
     {
         const auto parser = x3::with<EvaluationTag>(std::cref(evaluation))[choice > x3::eoi];
-        x3::phrase_parse(first, expression.end(), parser, blank, term);
+        x3::phrase_parse(first, text.end(), parser, blank, parsed->term);
     }
     catch (const x3::expectation_failure<std::string::const_iterator>& failure)
     {
-        const std::string rest(failure.where(), expression.end());
+        const std::string rest(failure.where(), text.end());
         evaluation.fail(rest.empty() ? "The end comes too early" : "Unexpected '" + rest + "'", failure.which());
     }
-    if (!term) evaluation.fail("No value");
-    const double result = term();
-    if (!std::isfinite(result)) evaluation.fail("The result is not finite");
+    if (!parsed->term) evaluation.fail("No value");
+    parsed_ = parsed;
+}
+
+double CalcExpression::operator()(const std::vector<double>& values) const
+{
+    const double result = parsed_->term(values);
+    if (!std::isfinite(result)) parsed_->evaluation.fail("The result is not finite");
     return result;
 }
 

@@ -209,7 +209,7 @@ void Expansion::addDirectiveItems(Tree& value, const Tree& directive)
     {
         const std::string& expression = textArgumentOf(directive, "an expression in quotes or #{ }");
         const auto macro = [&](const std::string& name) { return number(name, data.where); };
-        data.text = numberText(evaluate(expression, data.where, macro));
+        data.text = numberText(CalcExpression(expression, data.where, macro)());
         data.kind = NodeKind::number;
         value.push_back({"", Tree(data)});
     }

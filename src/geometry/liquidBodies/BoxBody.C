@@ -1,6 +1,10 @@
 // type box; min (0 0 0); max (1e-3 1e-3 1e-3);
+// Whole rows of particles fill its length and its width, a little wider or narrower than the spacing where that asks for
+// it; the height of the layers makes up for it. So the top layer alone may be incomplete.
 
 #include "geometry/liquidBodies/LiquidBody.H"
+
+#include <algorithm>
 
 namespace shizuku
 {
@@ -8,7 +12,7 @@ namespace shizuku
 class BoxBody : public LiquidBody
 {
 public:
-    explicit BoxBody(const Dictionary& dict)
+    BoxBody(const Dictionary& dict, const std::filesystem::path&)
     :
         min_(dict.lookupDimensionedVector("min", dimensions::length)),
         size_(Vector3(dict.lookupDimensionedVector("max", dimensions::length)) - min_)
@@ -28,6 +32,12 @@ public:
     Vector3 high() const override { return size_; }
     double volume() const override { return size_.x*size_.y*size_.z; }
 
+    Vector3 cell(double spacing) const override
+    {
+        const double x = rowSpacing(size_.x, spacing), y = rowSpacing(size_.y, spacing);
+        return {x, y, spacing*spacing*spacing/(x*y)};
+    }
+
     bool contains(const Vector3& x) const override
     {
         const Vector3 r = x - min_;
@@ -35,6 +45,8 @@ public:
     }
 
 private:
+    static double rowSpacing(double length, double spacing) { return length/std::max(1.0, std::round(length/spacing)); }
+
     Vector3 min_, size_;
 };
 

@@ -2,6 +2,7 @@
 // A spherical cap on a plane wall: the shape of a small drop at rest. The centre is that of the base circle, the normal
 // that of the wall, into the liquid; the contact angle is in degrees, inside the liquid.
 
+#include "geometry/UnitVector.H"
 #include "geometry/liquidBodies/LiquidBody.H"
 
 #include <numbers>
@@ -12,7 +13,7 @@ namespace shizuku
 class CapBody : public LiquidBody
 {
 public:
-    explicit CapBody(const Dictionary& dict)
+    CapBody(const Dictionary& dict, const std::filesystem::path&)
     :
         base_(dict.lookupDimensionedVector("centre", dimensions::length)),
         normal_(readUnitVector(dict, "normal")),

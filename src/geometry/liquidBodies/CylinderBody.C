@@ -1,6 +1,7 @@
 // type cylinder; point (0 0 0); axis (0 0 1); radius 1e-3; height 2e-3;
 // The point is the middle of the base, from which the cylinder extends along the axis.
 
+#include "geometry/UnitVector.H"
 #include "geometry/liquidBodies/LiquidBody.H"
 
 #include <numbers>
@@ -11,7 +12,7 @@ namespace shizuku
 class CylinderBody : public LiquidBody
 {
 public:
-    explicit CylinderBody(const Dictionary& dict)
+    CylinderBody(const Dictionary& dict, const std::filesystem::path&)
     :
         point_(dict.lookupDimensionedVector("point", dimensions::length)),
         axis_(readUnitVector(dict, "axis")),

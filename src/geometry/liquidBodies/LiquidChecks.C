@@ -10,50 +10,65 @@ namespace shizuku
 namespace
 {
 
-constexpr double wallDistance = 0.5*(1 - 1e-6);     // spacings; a lattice on the wall is there but for rounding
+constexpr double wallDistance = 0.4;                // spacings: the rows of a box may be that much narrower than one
 constexpr double solidDistance = 0.9;               // spacings
-constexpr double liquidDistance = 0.5*(1 - 1e-6);   // spacings
+constexpr double liquidDistance = 0.5*(1 - 1e-6);   // spacings; bodies that touch are there but for rounding
 
-// Throws where `bad` is true of any particle of the body.
-void refuse
+// Refuses or leaves out the particles of the body for which `bad` is true.
+void keepOut
 (
-    const FilledBody& body, const std::string& what, const std::string& expected,
+    FilledBody& body, const std::string& what, const std::string& expected,
     const std::function<bool(const Vector3&)>& bad
 )
 {
-    std::size_t count = 0;
-    Vector3 first;
-    for (const Vector3& x : body.positions)
+    std::vector<Vector3> good, inTheWay;
+    for (const Vector3& x : body.positions) (bad(x) ? inTheWay : good).push_back(x);
+    if (inTheWay.empty()) return;
+    const std::string count = std::to_string(inTheWay.size());
+    if (!body.carve || good.empty())
     {
-        if (!bad(x)) continue;
-        if (count++ == 0) first = x;
+        throw FatalInputError
+        (
+            body.where,
+            what + ": " + count + " of the " + std::to_string(body.positions.size())
+                + " particles of the body '" + body.name + "', the first one at " + str(inTheWay.front()) + " m",
+            expected + (body.carve ? "" : "; or `overlaps carve;`, which leaves them out")
+        );
     }
-    if (count == 0) return;
-    throw FatalInputError
+    body.leftOut.push_back(count + " particles: " + what);
+    body.positions = std::move(good);
+}
+
+void keepOutOf(FilledBody& body, const FilledBody& other, double spacing)
+{
+    const NearestPoint nearest(other.positions);
+    keepOut
     (
-        body.where,
-        what + ": " + std::to_string(count) + " of the " + std::to_string(body.positions.size())
-            + " particles of the body '" + body.name + "', the first one at " + str(first) + " m",
-        expected
+        body, "Liquid inside of other liquid, the body '" + other.name + "'",
+        "bodies that do not overlap, and whose particles are at least half a spacing apart",
+        [&](const Vector3& x)
+        {
+            return other.shape->contains(x) || length(x - other.positions[nearest(x)]) < liquidDistance*spacing;
+        }
     );
 }
 
 }
 
-void refuseInsideWalls(const FilledBody& body, const std::vector<AnalyticSurface>& walls, double spacing)
+void keepOutOfWalls(FilledBody& body, const std::vector<AnalyticSurface>& walls, double spacing)
 {
     for (const AnalyticSurface& wall : walls)
     {
-        refuse
+        keepOut
         (
             body, "Liquid inside a solid, the " + typeName(wall.type) + " '" + wall.name + "'",
-            "particles on the liquid's side, at least half a spacing from the wall",
+            "particles on the liquid's side, about half a spacing from the wall",
             [&](const Vector3& x) { return wall.signedDistance(x) < wallDistance*spacing; }
         );
     }
 }
 
-void refuseInsideSolid(const FilledBody& body, const SolidParticles& solid, double spacing)
+void keepOutOfSolid(FilledBody& body, const SolidParticles& solid, double spacing)
 {
     if (solid.positions.empty()) return;
     const NearestPoint nearest(solid.positions);
@@ -68,7 +83,7 @@ void refuseInsideSolid(const FilledBody& body, const SolidParticles& solid, doub
     };
     for (std::size_t patch = 0; patch < solid.patches.size(); ++patch)
     {
-        refuse
+        keepOut
         (
             body, "Liquid inside a solid, the wall '" + solid.patches[patch] + "'",
             "particles in front of the wall, at least 0.9 spacings from its particles",
@@ -77,24 +92,14 @@ void refuseInsideSolid(const FilledBody& body, const SolidParticles& solid, doub
     }
 }
 
-void refuseOverlaps(const std::vector<FilledBody>& bodies, double spacing)
+void keepApart(std::vector<FilledBody>& bodies, double spacing)
 {
-    for (const FilledBody& other : bodies)
+    for (auto later = bodies.begin(); later != bodies.end(); ++later)
     {
-        const NearestPoint nearest(other.positions);
-        for (const FilledBody& body : bodies)
+        for (auto earlier = bodies.begin(); earlier != later; ++earlier)
         {
-            if (&body == &other) continue;
-            refuse
-            (
-                body, "Liquid inside of other liquid, the body '" + other.name + "'",
-                "bodies that do not overlap, and whose particles are at least half a spacing apart",
-                [&](const Vector3& x)
-                {
-                    return other.shape->contains(x)
-                     || length(x - other.positions[nearest(x)]) < liquidDistance*spacing;
-                }
-            );
+            if (later->carve || !earlier->carve) keepOutOf(*later, *earlier, spacing);
+            if (!later->carve) keepOutOf(*earlier, *later, spacing);
         }
     }
 }

@@ -10,7 +10,7 @@ namespace shizuku
 class SphereBody : public LiquidBody
 {
 public:
-    explicit SphereBody(const Dictionary& dict)
+    SphereBody(const Dictionary& dict, const std::filesystem::path&)
     :
         centre_(dict.lookupDimensionedVector("centre", dimensions::length)),
         radius_(dict.lookupPositive("radius", dimensions::length))

@@ -8,9 +8,9 @@ namespace shizuku
 class ConstantTheta : public ThetaModel
 {
 public:
-    explicit ConstantTheta(const Dictionary& dict) : theta_(readTheta(dict, "theta")) {}
+    ConstantTheta(const Dictionary& dict, const std::filesystem::path&) : theta_(readTheta(dict, "theta")) {}
 
-    double theta(const Vector3&, const Vector3&) const override { return theta_; }
+    double theta(const Vector3&) const override { return theta_; }
 
 private:
     double theta_;

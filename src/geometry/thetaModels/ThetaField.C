@@ -11,7 +11,7 @@ namespace shizuku
 namespace
 {
 
-std::unique_ptr<ThetaModel> readModel(const Dictionary& wettability, const std::string& name)
+Dictionary entryOf(const Dictionary& wettability, const std::string& name)
 {
     if (!wettability.found(name))
     {
@@ -21,9 +21,18 @@ std::unique_ptr<ThetaModel> readModel(const Dictionary& wettability, const std::
             name + " { theta 60; }      // degrees"
         );
     }
-    const Dictionary dict = wettability.subDict(name);
+    return wettability.subDict(name);
+}
+
+std::unique_ptr<ThetaModel> readModel
+(
+    const Dictionary& wettability, const std::string& patch, const std::filesystem::path& casePath
+)
+{
+    const Dictionary dict = entryOf(wettability, patch);
     const std::string type = dict.lookupOr<std::string>("type", "constant");
-    return ThetaModelTable::New("contact-angle", type, dict.found("type") ? dict.where("type") : dict.where(), dict);
+    const SourceLocation where = dict.found("type") ? dict.where("type") : dict.where();
+    return ThetaModelTable::New("contact-angle", type, where, dict, casePath);
 }
 
 // A keyword may be a pattern that stands for several names.
@@ -37,6 +46,22 @@ bool meansAnyOf(const std::string& keyword, const std::vector<std::string>& name
     );
 }
 
+}
+
+double wallTheta(const Dictionary& wettability, const std::string& wall)
+{
+    const Dictionary dict = entryOf(wettability, wall);
+    const std::string type = dict.lookupOr<std::string>("type", "constant");
+    if (type != "constant")
+    {
+        throw FatalInputError
+        (
+            dict.where("type"),
+            "The analytic wall '" + wall + "' has a contact-angle distribution, type " + type,
+            "type constant, the same angle everywhere; or a wall of type particles in constant/walls, which takes any type"
+        );
+    }
+    return readTheta(dict, "theta");
 }
 
 void refuseUnknownWalls(const Dictionary& wettability, const std::vector<std::string>& names)
@@ -56,20 +81,22 @@ void refuseUnknownWalls(const Dictionary& wettability, const std::vector<std::st
 
 std::vector<double> thetaField
 (
-    const SolidParticles& solid, const std::vector<AnalyticSurface>& walls, const Dictionary& wettability
+    const SolidParticles& solid, const std::vector<AnalyticSurface>& walls, const Dictionary& wettability,
+    const std::filesystem::path& casePath
 )
 {
     std::vector<std::string> names = solid.patches;
     for (const AnalyticSurface& wall : walls) names.push_back(wall.name);
     refuseUnknownWalls(wettability, names);
-    std::vector<std::unique_ptr<ThetaModel>> models;        // the patches', then the walls', which are only checked
-    for (const std::string& name : names) models.push_back(readModel(wettability, name));
+    std::vector<std::unique_ptr<ThetaModel>> models;        // one a patch
+    for (const std::string& patch : solid.patches) models.push_back(readModel(wettability, patch, casePath));
+    for (const AnalyticSurface& wall : walls) wallTheta(wettability, wall.name);
     wettability.refuseUnused();
 
     std::vector<double> theta(solid.positions.size());
     for (std::size_t i = 0; i < theta.size(); ++i)
     {
-        theta[i] = models[solid.patch[i]]->theta(solid.positions[i], solid.normals[i]);
+        theta[i] = models[solid.patch[i]]->theta(solid.positions[i]);
     }
     return theta;
 }

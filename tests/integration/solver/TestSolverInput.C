@@ -208,12 +208,12 @@ TEST_P(Input, walls)
     (
         "constant/wettability",
         {
-            {"floor { theta 60; }", {"'side' is missing"}},
+            {"floor { theta 60; }", {"'side' has no contact angle"}},
             {"side { theta 60; }\nlid { theta 90; }", {"no patch or wall 'lid'", "line 2", "floor", "side"}},
             {"side { theta 60; roughness 1; }", {"'roughness'", "line 1"}},
-            {"side { type stripes; theta 60; }", {"'stripes'", "constant"}},
             {"side { thet 60; }", {"'theta' is missing", "Did you mean 'thet'"}},
-            {"\nside { theta -1; }", {"-1 degrees", "line 2", "0 to 180"}},
+            {"\nside { theta -1; }", {"is -1", "line 2", "0 to 180"}},
+            {"\nside { type stripes; }", {"'side'", "type stripes", "line 2", "type particles"}},
         }
     );
 }

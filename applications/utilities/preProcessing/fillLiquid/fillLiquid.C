@@ -3,6 +3,7 @@
 #include "core/arguments/runApplication.H"
 #include "core/fieldFile/AtomicFile.H"
 #include "core/time/Controls.H"
+#include "geometry/LiquidFiles.H"
 #include "geometry/VectorField.H"
 #include "geometry/liquidBodies/LiquidChecks.H"
 
@@ -18,40 +19,15 @@ const ApplicationInfo info
     "fillLiquid", "Fill bodies with liquid particles on a lattice (system/fillLiquidDict to 0/liquid).", {}
 };
 
-double readSpacing(const std::filesystem::path& casePath)
-{
-    return Dictionary::read(casePath/"system"/"solution").lookupPositive("spacing", dimensions::length);
-}
-
-FilledBody readBody(const Dictionary& bodies, const std::string& name, double spacing)
-{
-    const Dictionary dict = bodies.subDict(name);
-    FilledBody body{name, dict.where(), nullptr, {}, {}};
-    body.shape = LiquidBodyTable::New("liquid body", dict.lookup<std::string>("type"), dict.where("type"), dict);
-    if (dict.found("velocity")) body.velocity = dict.lookupDimensionedVector("velocity", dimensions::velocity);
-    body.positions = fillLattice(*body.shape, spacing, dict.where());
-    return body;
-}
-
-std::vector<FilledBody> readBodies(const Dictionary& fillLiquidDict, double spacing)
-{
-    const Dictionary bodies = fillLiquidDict.subDict("bodies");
-    std::vector<FilledBody> result;
-    for (const std::string& name : bodies.dictKeys()) result.push_back(readBody(bodies, name, spacing));
-    if (result.empty())
-    {
-        throw FatalInputError(bodies.where(), "There is no body of liquid", "drop { type sphere; ... }");
-    }
-    fillLiquidDict.refuseUnused();
-    return result;
-}
-
 void report(const FilledBody& body, double spacing)
 {
     const double volume = body.positions.size()*spacing*spacing*spacing, exact = body.shape->volume();
     std::cout << body.name << ": " << body.positions.size() << " particles, volume " << volume << " m3, of the shape "
               << exact << " m3 (" << std::showpos << 100*(volume/exact - 1) << std::noshowpos << " %), velocity "
-              << str(body.velocity) << " m/s\n";
+              << str(body.velocity) << " m/s";
+    if (body.angularVelocity != Vector3()) std::cout << ", angular velocity " << str(body.angularVelocity) << " rad/s";
+    std::cout << "\n";
+    for (const std::string& line : body.leftOut) std::cout << "    left out " << line << "\n";
 }
 
 void writeLiquid(const std::filesystem::path& folder, const std::vector<FilledBody>& bodies, const WriteFormat& format)
@@ -60,7 +36,8 @@ void writeLiquid(const std::filesystem::path& folder, const std::vector<FilledBo
     for (const FilledBody& body : bodies)
     {
         positions.insert(positions.end(), body.positions.begin(), body.positions.end());
-        velocities.insert(velocities.end(), body.positions.size(), body.velocity);
+        const std::vector<Vector3> own = body.velocities();
+        velocities.insert(velocities.end(), own.begin(), own.end());
     }
     writeFolderAtomically(folder, [&](const std::filesystem::path& partial)
     {
@@ -75,18 +52,18 @@ void run(const Arguments& args)
     const std::filesystem::path& casePath = args.casePath();
     const WriteFormat format = readControls(Dictionary::read(casePath/"system"/"controlDict")).format;
     const double spacing = readSpacing(casePath);
-    const std::vector<FilledBody> bodies = readBodies(Dictionary::read(casePath/"system"/"fillLiquidDict"), spacing);
+    std::vector<FilledBody> bodies = readBodies(Dictionary::read(casePath/"system"/"fillLiquidDict"), casePath, spacing);
     const std::vector<AnalyticSurface> walls = readAnalyticSurfaces(Dictionary::read(casePath/"constant"/"walls"));
     const SolidParticles solid = haveSolidParticles(casePath) ? readSolidParticles(casePath) : SolidParticles();
 
     std::cout << "Particle spacing " << spacing << " m\n";
-    for (const FilledBody& body : bodies)
+    for (FilledBody& body : bodies)
     {
-        report(body, spacing);
-        refuseInsideWalls(body, walls, spacing);
-        refuseInsideSolid(body, solid, spacing);
+        keepOutOfWalls(body, walls, spacing);
+        keepOutOfSolid(body, solid, spacing);
     }
-    refuseOverlaps(bodies, spacing);
+    keepApart(bodies, spacing);
+    for (const FilledBody& body : bodies) report(body, spacing);
     writeLiquid(casePath/"0"/"liquid", bodies, format);
 }
 

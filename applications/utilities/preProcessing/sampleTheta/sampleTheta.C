@@ -69,7 +69,7 @@ void run(const Arguments& args)
 
     const SolidParticles solid = sampled ? readSolidParticles(casePath) : SolidParticles();
     const std::vector<double> theta =
-        thetaField(solid, analytic, Dictionary::read(casePath/"constant"/"wettability"));
+        thetaField(solid, analytic, Dictionary::read(casePath/"constant"/"wettability"), casePath);
     if (!sampled)
     {
         std::cout << "No wall is sampled with particles: the contact angles are in order, there is nothing to write\n";

@@ -304,7 +304,8 @@ TEST(Directive, UnknownIsRefused)
 
 double value(const std::string& expression)
 {
-    return evaluate(expression, {"someDict", 3}, [](const std::string& name) { return name == "two" ? 2.0 : 0.0; });
+    const auto macro = [](const std::string& name) { return name == "two" ? 2.0 : 0.0; };
+    return CalcExpression(expression, {"someDict", 3}, macro)();
 }
 
 TEST(Calc, KnowsOperatorsAndTheirOrder)
@@ -354,6 +355,31 @@ TEST(Calc, KnowsFunctions)
     EXPECT_EQ(value("sinh(1) + cosh(1)"), std::sinh(1.0) + std::cosh(1.0));
     EXPECT_EQ(value("tanh(1)"), std::tanh(1.0));
     EXPECT_EQ(value("$two*${two}/ $two"), 2);
+}
+
+TEST(Calc, IfEvaluatesOnlyTheChosenSide)
+{
+    EXPECT_EQ(value("if(1, 5, 1/0)"), 5);
+    EXPECT_EQ(value("if(1 > 2, 1/0, $two)"), 2);
+    EXPECT_THROW(value("if(1, 5)"), FatalInputError);
+}
+
+TEST(Calc, VariablesTakeTheValuesOfEachCall)
+{
+    int asked = 0;
+    const auto macro = [&asked](const std::string&) { return ++asked, 10.0; };
+    const CalcExpression formula("$ten*x + min(y, 1)", {"someDict", 3}, macro, {"x", "y"});
+    EXPECT_EQ(formula({2, 0.5}), 20.5);
+    EXPECT_EQ(formula({-1, 7}), -9);
+    EXPECT_EQ(asked, 1);
+    const CalcExpression quotient("1/x", {"someDict", 3}, macro, {"x"});
+    EXPECT_TRUE(holds(refusalOf([&] { quotient({0}); }).message, {"Division by zero", "1/x", "someDict"}));
+    EXPECT_EQ(quotient({4}), 0.25);
+    EXPECT_TRUE(holds
+    (
+        refusalOf([&] { CalcExpression("radius + 1", {"someDict", 3}, macro, {"radius2"}); }).message,
+        {"Unknown name 'radius'", "Did you mean 'radius2'?"}
+    ));
 }
 
 TEST(Calc, RefusesNonsense)

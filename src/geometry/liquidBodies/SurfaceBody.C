@@ -1,0 +1,73 @@
+// type surface; file "drop.stl"; scale 0.001; translate (0 0 1e-3);
+// The inside of a closed STL in constant/triSurface: coordinates times scale [m a unit of the file, default 1], and then
+// moved by translate [m, default zero]. Faces may look inward or outward; a shell inside of another one is a bubble.
+
+#include "geometry/MeshTopology.H"
+#include "geometry/PointsInside.H"
+#include "geometry/StlFile.H"
+#include "geometry/liquidBodies/LiquidBody.H"
+
+#include <algorithm>
+#include <sstream>
+
+namespace shizuku
+{
+
+namespace
+{
+
+TriangleMesh readClosedMesh(const Dictionary& dict, const std::filesystem::path& casePath)
+{
+    const std::filesystem::path file = casePath/"constant"/"triSurface"/dict.lookup<std::string>("file");
+    TriangleMesh mesh = withSharedVertices(readStl(file, dict.name()).mesh);
+    const MeshDefects defects = findDefects(mesh);
+    if (!defects.none() || mesh.volume() == 0)
+    {
+        std::ostringstream found;
+        found << "The surface " << file.string() << " encloses no body: " << defects.boundaryEdges << " open edges, "
+              << defects.nonManifoldEdges << " edges of more than two triangles, " << defects.flippedEdges
+              << " edges between triangles that are turned against each other, volume " << mesh.volume();
+        throw FatalInputError(dict.where("file"), found.str(), "a closed surface, all of whose triangles look outward");
+    }
+
+    const double scale = dict.found("scale") ? dict.lookupPositive("scale", dimensions::none) : 1;
+    Vector3 move;
+    if (dict.found("translate")) move = dict.lookupDimensionedVector("translate", dimensions::length);
+    for (Vector3& vertex : mesh.vertices) vertex = scale*vertex + move;
+    return mesh;
+}
+
+}
+
+class SurfaceBody : public LiquidBody
+{
+public:
+    SurfaceBody(const Dictionary& dict, const std::filesystem::path& casePath)
+    :
+        mesh_(readClosedMesh(dict, casePath)), windingNumber_(mesh_), low_(mesh_.vertices.front()), high_(low_)
+    {
+        for (const Vector3& vertex : mesh_.vertices)
+        {
+            for (int c = 0; c < 3; ++c)
+            {
+                low_[c] = std::min(low_[c], vertex[c]);
+                high_[c] = std::max(high_[c], vertex[c]);
+            }
+        }
+    }
+
+    BodyFrame frame() const override { return {low_}; }
+    Vector3 low() const override { return {}; }
+    Vector3 high() const override { return high_ - low_; }
+    bool contains(const Vector3& x) const override { return windingNumber_(x) != 0; }
+    double volume() const override { return std::abs(mesh_.volume()); }
+
+private:
+    TriangleMesh mesh_;
+    WindingNumber windingNumber_;       // refers to the mesh
+    Vector3 low_, high_;                // m
+};
+
+static const LiquidBodyTable::Add<SurfaceBody> registered{"surface"};
+
+}
