@@ -122,7 +122,7 @@ TEST(LiquidSurface, LiesHalfASpacingOutsideOfALayer)
 TEST(LiquidSurface, OfNothingIsEmpty)
 {
     const long before = deviceCounters().launches;
-    const SurfaceMesh mesh = LiquidSurface(parameters).extract({});
+    const SurfaceMesh mesh = LiquidSurface(parameters).extract(std::vector<Vec3>{});
     EXPECT_TRUE(mesh.vertices.empty());
     EXPECT_TRUE(mesh.triangles.empty());
     EXPECT_EQ(deviceCounters().launches, before);
