@@ -1,6 +1,9 @@
 # Paths below src/.
 set(SHIZUKU_VTK_SOURCES
+    geometry/thetaModels/ImageTheta.C
+    vtk/GreyImage.C
     vtk/Picture.C
+    vtk/PngChunks.C
     vtk/SoftShadow.C
     vtk/StudioFloor.C
     vtk/TimeSeries.C
