@@ -25,6 +25,7 @@ set(SHIZUKU_CORE_SOURCES
     core/dictionary/ValueReader.C
     core/fieldFile/AtomicFile.C
     core/fieldFile/CsvFile.C
+    core/fieldFile/CsvTable.C
     core/fieldFile/FieldCursor.C
     core/fieldFile/FieldFile.C
     core/fieldFile/FieldListReader.C

@@ -24,6 +24,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/liquidBodies/CapBody.C
     geometry/liquidBodies/CylinderBody.C
     geometry/liquidBodies/FilledBody.C
+    geometry/liquidBodies/EllipsoidBody.C
     geometry/liquidBodies/LiquidBody.C
     geometry/liquidBodies/LiquidChecks.C
     geometry/liquidBodies/SphereBody.C

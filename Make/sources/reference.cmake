@@ -1,4 +1,5 @@
 # Paths below src/.
 set(SHIZUKU_REFERENCE_SOURCES
     reference/BashforthAdams.C
+    reference/DropOscillation.C
 )

@@ -68,6 +68,14 @@ TEST(LiquidBodies, countsFollowTheVolumes)
     EXPECT_NEAR(sphere->volume(), 4*pi/3*512, 1e-9);
     expectCount(*sphere);
 
+    // An ellipsoid: between the spheres of its semi-axes, and below its surface by their larger one.
+    const auto ellipsoid = make("type ellipsoid; centre (0 0 1e-3); semiAxes (8 6 7);");
+    EXPECT_NEAR(ellipsoid->volume(), 4*pi/3*336, 1e-9);
+    expectCount(*ellipsoid, 4*pi*64);
+    EXPECT_TRUE(ellipsoid->contains({7.99, 0, 0}));
+    EXPECT_FALSE(ellipsoid->contains({0, 6.01, 0}));
+    EXPECT_TRUE(holds(messageOf([] { make("type ellipsoid; centre (0 0 0); semiAxes (1 0 1);"); }), {"semi-axes", "(a b c)"}));
+
     const auto cylinder = make("type cylinder; point (0 0 0); axis (1 1 1); radius 6; height 10;");
     EXPECT_NEAR(cylinder->volume(), pi*360, 1e-9);
     expectCount(*cylinder);

@@ -1,0 +1,66 @@
+#include "CaseResults.H"
+
+#include "core/dictionary/Dictionary.H"
+#include "core/time/TimeName.H"
+#include "geometry/LiquidFiles.H"
+#include "geometry/PlyFile.H"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace shizuku
+{
+
+namespace fs = std::filesystem;
+
+CaseResults::CaseResults(const fs::path& casePath) : casePath_(casePath), times_(timeFolders(casePath))
+{
+    spacing = readSpacing(casePath);
+    const Dictionary liquid = Dictionary::read(casePath/"constant/liquidProperties");
+    rho = liquid.lookupPositive("rho", dimensions::density);
+    nu = liquid.lookupPositive("nu", dimensions::kinematicViscosity, true);
+    sigma = liquid.lookupPositive("sigma", dimensions::surfaceTension, true);
+
+    gravity = 0;
+    if (Dictionary::read(casePath/"constant/models").lookupOr<std::string>("bodyForce", "none") == "gravity")
+    {
+        const auto g = Dictionary::read(casePath/"constant/g").lookupDimensionedVector("value", dimensions::acceleration);
+        gravity = std::hypot(g[0], g[1], g[2]);
+    }
+    if (times_.empty()) throw FatalInputError({casePath.string(), 0}, "The case has no time folder", "a case that has run");
+}
+
+std::size_t CaseResults::particles() const { return positions(times_.back()).size(); }
+
+std::vector<Vector3> CaseResults::positions(const TimeFolder& time) const { return readLiquidPositions(time.path); }
+
+TriangleMesh CaseResults::surface(const TimeFolder& time) const { return readPly(liquidSurfaceFile(time.path)); }
+
+double CaseResults::radius() const { return std::cbrt(3*liquidVolume()/(4*std::numbers::pi)); }
+
+double CaseResults::capillarySpeed() const { return std::sqrt(sigma/(rho*radius())); }
+
+CsvTable CaseResults::table(const std::string& name, const std::string& file) const
+{
+    const fs::path folder = casePath_/"postProcessing"/name;
+    std::vector<std::pair<double, fs::path>> tables;
+    if (fs::is_directory(folder))
+    {
+        for (const auto& entry : fs::directory_iterator(folder))
+        {
+            const auto start = timeOfName(entry.path().filename().string());
+            if (start && fs::exists(entry.path()/file)) tables.emplace_back(*start, entry.path()/file);
+        }
+    }
+    if (tables.empty()) throw FatalInputError({folder.string(), 0}, "There is no table " + file, "one below a start time");
+    std::sort(tables.begin(), tables.end());
+    CsvTable result = CsvTable::read(tables.front().second);
+    for (auto next = tables.begin() + 1; next != tables.end(); ++next)
+    {
+        result.continueWith(CsvTable::read(next->second), "time");
+    }
+    return result;
+}
+
+}

@@ -1,0 +1,36 @@
+// type volume;  within 0.5;
+// The liquid's volume at the end against the volume of its particles, N d^3, by two measures that do not know of each
+// other: the closed surface mesh, and the crowding of the particles (liquidState's sum of V/max(rho/rho0, 1)); and the
+// mesh at the end against that at the start. within: percent.
+
+#include "Comparison.H"
+
+namespace shizuku
+{
+
+class VolumeComparison : public Comparison
+{
+public:
+    explicit VolumeComparison(const Dictionary& dict) : within_(dict.lookupPositive("within", dimensions::none)) {}
+
+    std::vector<ComparisonRow> compare(const CaseResults& results) const override
+    {
+        const double exact = results.liquidVolume();
+        const double mesh = results.surface(results.times().back()).volume();
+        const double first = results.surface(results.times().front()).volume();
+        const CsvTable states = results.table("drop", "liquidState.csv");
+        return
+        {
+            relativeRow("volume of the mesh", "m3", exact, mesh, within_),
+            relativeRow("volume of the mesh since start", "m3", first, mesh, within_),
+            relativeRow("volume of the particles", "m3", exact, states.number(states.rows() - 1, "volume"), within_)
+        };
+    }
+
+private:
+    double within_;
+};
+
+static const ComparisonTable::Add<VolumeComparison> registered{"volume"};
+
+}
