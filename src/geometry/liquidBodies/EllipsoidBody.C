@@ -11,7 +11,7 @@ namespace shizuku
 class EllipsoidBody : public LiquidBody
 {
 public:
-    explicit EllipsoidBody(const Dictionary& dict)
+    EllipsoidBody(const Dictionary& dict, const std::filesystem::path&)
     : centre_(dict.lookupDimensionedVector("centre", dimensions::length)),
       axes_(dict.lookupDimensionedVector("semiAxes", dimensions::length))
     {
