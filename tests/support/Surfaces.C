@@ -74,23 +74,34 @@ PatchedSurface soupOf(const PatchedSurface& surface)
     return soup;
 }
 
-std::string stlText(const PatchedSurface& surface, const std::string& solid)
+std::string stlText(const PatchedSurface& surface)
 {
     std::ostringstream text;
     text.precision(9);
-    text << "solid " << solid << "\n";
-    for (const auto& face : surface.mesh.faces)
+    for (std::size_t p = 0; p < surface.patches.size(); ++p)
     {
-        text << "facet normal 0 0 0\nouter loop\n";
-        for (int v : face)
+        text << "solid " << surface.patches[p] << "\n";
+        for (std::size_t f = 0; f < surface.mesh.faces.size(); ++f)
         {
-            const Vector3& x = surface.mesh.vertices[v];
-            text << "vertex " << x.x << " " << x.y << " " << x.z << "\n";
+            if (surface.patch[f] != int(p)) continue;
+            text << "facet normal 0 0 0\nouter loop\n";
+            for (int v : surface.mesh.faces[f])
+            {
+                const Vector3& x = surface.mesh.vertices[v];
+                text << "vertex " << x.x << " " << x.y << " " << x.z << "\n";
+            }
+            text << "endloop\nendfacet\n";
         }
-        text << "endloop\nendfacet\n";
+        text << "endsolid " << surface.patches[p] << "\n";
     }
-    text << "endsolid " << solid << "\n";
     return text.str();
+}
+
+std::string stlText(PatchedSurface surface, const std::string& solid)
+{
+    surface.patch.assign(surface.mesh.faces.size(), 0);
+    surface.patches = {solid};
+    return stlText(surface);
 }
 
 }

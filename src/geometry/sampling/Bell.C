@@ -18,14 +18,14 @@ public:
         const double spacing = layer.spacing();
         const PointGrid lattice = layer.grid(spacing);
         const long points = std::lround(density*latticeDensity(spacing)*layer.surface().area());
-        for (long i = 0; i < points; ++i)
+        layer.surface().forEachRandomPoint(points, random, [&](const SurfacePoint& place)
         {
-            const LayerParticle particle = layer.particleAt(layer.surface().randomPoint(random));
+            const LayerParticle particle = layer.particleAt(place);
             if (!lattice.anyWithin(particle.position, 0.75*spacing) && layer.clear(particle))
             {
                 layer.particles().push_back(particle);
             }
-        }
+        });
     }
 };
 

@@ -73,7 +73,7 @@ LayerQuality measureQuality(const ParticleLayer& layer)
     }
     layer.surface().searchPieces(0.1*spacing, [&](const SurfacePoint& place, double pieceRadius)
     {
-        if (pieceRadius >= spacing) return true;
+        if (pieceRadius >= 0.6*spacing) return true;   // too large to be covered by one particle, as a rule
         const LayerParticle particle = layer.particleAt(place);
         if (grid.anyWithin(particle.position, quality.largestHole - pieceRadius)) return false;
         double hole = grid.nearestDistance(particle.position, support);

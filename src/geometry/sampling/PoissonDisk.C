@@ -15,18 +15,22 @@ public:
         // Random discs of diameter d that leave room for no more cover 0.547 of an area, 0.70/d^2 a unit area.
         // At d = 0.8 spacings this is 0.94 of the lattice's density.
         constexpr double diameter = 0.8;
-        // So many darts fill all but the last few percent, which are left to fillHoles.
-        constexpr double darts = 8;
+        // So many sweeps over the surface, a dart a particle in each, fill all but the last few percent, which are left to
+        // fillHoles.
+        constexpr int sweeps = 8;
 
         const double gap = diameter*layer.spacing();
         PointGrid grid = layer.grid(gap);
-        const long throws = std::lround(darts*latticeDensity(layer.spacing())*layer.surface().area());
-        for (long i = 0; i < throws; ++i)
+        const long darts = std::lround(latticeDensity(layer.spacing())*layer.surface().area());
+        for (int sweep = 0; sweep < sweeps; ++sweep)
         {
-            const LayerParticle particle = layer.particleAt(layer.surface().randomPoint(random));
-            if (grid.anyWithin(particle.position, gap) || !layer.clear(particle)) continue;
-            grid.insert(particle.position);
-            layer.particles().push_back(particle);
+            layer.surface().forEachRandomPoint(darts, random, [&](const SurfacePoint& place)
+            {
+                const LayerParticle particle = layer.particleAt(place);
+                if (grid.anyWithin(particle.position, gap) || !layer.clear(particle)) return;
+                grid.insert(particle.position);
+                layer.particles().push_back(particle);
+            });
         }
     }
 };

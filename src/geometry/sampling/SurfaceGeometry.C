@@ -16,11 +16,6 @@ const double creaseCosine = std::sqrt(0.75);
 // A walk over more edges than this has been caught by slivers and ends where it is.
 constexpr int maxCrossings = 200;
 
-double uniform(std::mt19937_64& random)
-{
-    return static_cast<double>(random() >> 11)*0x1p-53;
-}
-
 double angleAt(const std::array<Vector3, 3>& corners, int k)
 {
     const Vector3 a = corners[(k + 1) % 3] - corners[k], b = corners[(k + 2) % 3] - corners[k];
@@ -120,10 +115,8 @@ Vector3 SurfaceGeometry::normal(const SurfacePoint& point) const
     return normalized(weights[0]*n[0] + weights[1]*n[1] + weights[2]*n[2]);
 }
 
-SurfacePoint SurfaceGeometry::randomPoint(std::mt19937_64& random) const
+SurfacePoint SurfaceGeometry::randomPointIn(int face, std::mt19937_64& random) const
 {
-    const auto found = std::upper_bound(cumulativeArea_.begin(), cumulativeArea_.end(), uniform(random)*area());
-    const int face = std::min(static_cast<int>(found - cumulativeArea_.begin()), faces() - 1);
     const auto corner = corners(face);
     const double a = std::sqrt(uniform(random)), b = uniform(random);
     return {face, (1 - a)*corner[0] + a*(1 - b)*corner[1] + a*b*corner[2]};

@@ -15,7 +15,7 @@ namespace
     constexpr double seedHole = 0.8;        // spacings: seeds as dense as discs at random can be
     constexpr double hole = 0.85;           // spacings: a particle fits with room to spare
     constexpr double cover = 0.98;          // spacings: where the layer is cut off by edges or shared in a thin plate
-    constexpr int rounds = 3;               // of relaxing, thinning out and filling
+    constexpr int rounds = 3;               // of relaxing and thinning out
 }
 
 SampledSurface sampleSurface
@@ -39,8 +39,8 @@ SampledSurface sampleSurface
     {
         relax(layer, parameters.iterations/rounds, [&](double part) { progress.update((round + part)/rounds); });
         thinOut(layer, smallestGap*spacing);
-        fillHoles(layer, hole*spacing, cover*spacing);
     }
+    fillHoles(layer, hole*spacing, cover*spacing);
 
     SampledSurface result;
     result.quality = measureQuality(layer);
