@@ -1,6 +1,7 @@
 # Paths below src/.
 set(SHIZUKU_GEOMETRY_SOURCES
     geometry/AnalyticSurface.C
+    geometry/ConnectedPoints.C
     geometry/ContactAngle.C
     geometry/LiquidFiles.C
     geometry/MeshTopology.C

@@ -14,28 +14,40 @@ StepControl::StepControl(const Dictionary& controlDict)
     maxSubSteps_(controlDict.lookupOr("maxSubSteps", 1000))
 {}
 
-SubSteps StepControl::divide(double deltaT, double maxSpeed, const Liquid& liquid, const Models& models) const
+std::vector<StepLimit> StepControl::limits
+(
+    double deltaT, double maxSpeed, const Liquid& liquid, const Models& models
+) const
 {
-    SubSteps steps{1, deltaT, "deltaT"};
-    if (!adjust_) return steps;
+    if (!adjust_) return {};
 
     constexpr double pi = 3.14159265358979323846;
     const LiquidProperties& p = liquid.properties();
-    const auto limit = [&](double dt, const std::string& name)
-    {
-        if (dt < steps.dt)
-        {
-            steps.dt = dt;
-            steps.limit = name;
-        }
-    };
+    std::vector<StepLimit> limits;
     const double speed = maxSpeed + models.bodyForce->acceleration() * deltaT;
-    if (speed > 0) limit(maxCo_ * p.spacing / speed, "Courant");
+    if (speed > 0) limits.push_back({"Courant", maxCo_ * p.spacing / speed});
     if (models.forces.active() && p.surfaceTension > 0)
     {
-        limit(maxCapillaryCo_ * std::sqrt(p.particleMass() / (2 * pi * p.surfaceTension)), "capillary");
+        limits.push_back
+        ({
+            "capillary", maxCapillaryCo_ * std::sqrt(p.particleMass() / (2 * pi * p.surfaceTension))
+        });
     }
-    limit(models.viscosity->stepLimit(p), "viscous");
+    const double viscous = models.viscosity->stepLimit(p);
+    if (std::isfinite(viscous)) limits.push_back({"viscous", viscous});
+    return limits;
+}
+
+SubSteps StepControl::divide(double deltaT, double maxSpeed, const Liquid& liquid, const Models& models) const
+{
+    SubSteps steps{1, deltaT, "deltaT"};
+    for (const StepLimit& limit : limits(deltaT, maxSpeed, liquid, models))
+    {
+        if (!(limit.dt < steps.dt)) continue;
+        steps.dt = limit.dt;
+        steps.limit = limit.name;
+    }
+    if (!adjust_) return steps;
 
     const double count = std::ceil(deltaT / steps.dt * (1 - 1e-9));
     if (!(count <= maxSubSteps_))

@@ -1,0 +1,154 @@
+// checkCase says what the solver would say, all of it at once, and measures what the case holds.
+
+#include "SolverCase.H"
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+class CheckCase : public SolverCase
+{
+protected:
+    Outcome check() const { return call("checkCase"); }
+
+    // The number behind a label.
+    static double numberBehind(const std::string& text, const std::string& label)
+    {
+        const std::size_t at = text.find(label);
+        EXPECT_NE(at, std::string::npos) << label;
+        if (at == std::string::npos) return NAN;
+        return std::stod(text.substr(at + label.size()));
+    }
+
+    void expectFailures(int count, const std::vector<std::string>& parts) const
+    {
+        const Contents kept = contents();
+        const Outcome outcome = check();
+        EXPECT_EQ(outcome.status, 1) << outcome.text;
+        EXPECT_TRUE(holds(outcome.text, parts));
+        EXPECT_TRUE(holds(outcome.text, {"Failed " + std::to_string(count) + (count == 1 ? " check\n" : " checks\n")}));
+        EXPECT_EQ(outcome.text.find("Case OK"), std::string::npos);
+        EXPECT_TRUE(same(kept, contents()));
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Devices, CheckCase, testing::ValuesIn(devices()));
+
+}
+
+TEST_P(CheckCase, aGoodCaseIsMeasuredAndLeftAlone)
+{
+    fill({0, 0, -0.5});
+    const Contents kept = contents();
+    const Outcome outcome = check();
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(same(kept, contents()));
+    const std::string& text = outcome.text;
+    EXPECT_TRUE(holds(text, {"Case OK\n", "Liquid: 294 particles", "Solid: 324 particles, floor 324", "separate bodies 1",
+        "analytic surfaces 1", "(7 7 6) spacings", "memory on the device", "\nEnd\n"}));
+    EXPECT_EQ(text.find("***Error"), std::string::npos) << text;
+
+    // 294 mm3 of water at 0.5 m/s under gravity; six digits are printed, velocities are floats.
+    const double D = std::cbrt(6*294e-9/std::numbers::pi), rho = 998, sigma = 0.0728, nu = 1e-6;
+    const double digits = 1e-5, U = std::hypot(0.5, 0.003);     // fill() adds 3 mm/s on average, along y
+    EXPECT_NEAR(numberBehind(text, "diameter D "), D, digits*D);
+    EXPECT_NEAR(numberBehind(text, "rho g D^2/sigma "), rho*9.81*D*D/sigma, digits*rho*9.81*D*D/sigma);
+    EXPECT_NEAR(numberBehind(text, "rho U^2 D/sigma "), rho*U*U*D/sigma, 1e-3*rho*U*U*D/sigma);
+    const double Oh = nu*std::sqrt(rho/(sigma*D));
+    EXPECT_NEAR(numberBehind(text, "nu sqrt(rho/(sigma D)) "), Oh, digits*Oh);
+    EXPECT_NEAR(numberBehind(text, "U D/nu "), U*D/nu, 1e-3*U*D/nu);
+    EXPECT_NEAR(numberBehind(text, "minimal "), 1, digits);
+    EXPECT_NEAR(numberBehind(text, "capillary "), 0.3*std::sqrt(rho*1e-9/(2*std::numbers::pi*sigma)), 1e-8);
+    EXPECT_GT(numberBehind(text, "memory on the device : "), 0);
+}
+
+TEST_P(CheckCase, separateBodiesAreTold)
+{
+    // A second, smaller block: read from one list with the first one.
+    const std::string positions = read("0/liquid/positions"), U = read("0/liquid/U");
+    std::string more, still;
+    for (int i = 0; i < 27; ++i)
+    {
+        std::ostringstream place;
+        place << "(" << 1e-3*(i % 3) << " " << 1e-3*(i/3 % 3) << " " << 1e-3*(12 + i/9) << ")\n";
+        more += place.str();
+        still += "(0 0 1)\n";
+    }
+    const auto extended = [](std::string text, const std::string& lines)
+    {
+        text.replace(text.find("294"), 3, "321");
+        return text.insert(text.find("(\n") + 2, lines);
+    };
+    write("0/liquid/positions", extended(positions, more));
+    write("0/liquid/U", extended(U, still));
+    const Outcome outcome = check();
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"Liquid: 321 particles", "separate bodies 2", "Body 2: 27 particles", "(3 3 3) spacings",
+        "mean velocity (0 0 1) m/s", "*Warning: body 2 is coarse"}));
+}
+
+TEST_P(CheckCase, allErrorsAreReportedAtOnce)
+{
+    control("endTime 4e-3; functions { a { type liquidStat; } }");
+    write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma -1;\n");
+    write
+    (
+        "constant/models",
+        "pressure pfb;\nsurfaceTension Fujisawa2014;\nwetting contactAngel;\nviscosity XSHP;\nbodyForce gravity;\n"
+    );
+    write("constant/g", "value down;\n");
+    write("constant/walls", "floor { type particles; surface \"floor.stl\"; }\nside { type plain; }\n");
+    write("system/meshSurfaceDict", "cell 1\n");
+    expectFailures
+    (
+        7,
+        {"'sigma' is -1", "'pfb'", "'XSHP'", "the word 'down'", "'plain'", "'liquidStat'", "system/meshSurfaceDict"}
+    );
+    // Those of the walls hid those of the wetting model.
+    write("constant/walls", "floor { type particles; surface \"floor.stl\"; }\nside { type plane; }\n");
+    expectFailures(7, {"'point' is missing"});
+    write("constant/walls", "floor { type particles; surface \"floor.stl\"; }\n");
+    expectFailures(7, {"'contactAngel'"});
+}
+
+TEST_P(CheckCase, missingParts)
+{
+    remove("system/solution");
+    remove("constant/models");
+    expectFailures(2, {"system/solution", "constant/models"});
+    write("system/solution", "spacing 1e-3;\n");
+    remove("0/liquid");
+    remove("constant/solid");
+    expectFailures(3, {"constant/models", "run sampleSurface", "run fillLiquid"});
+    remove("system/controlDict");
+    const Outcome outcome = check();
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(holds(outcome.text, {"not a case"}));
+}
+
+TEST_P(CheckCase, particlesOfAnotherSpacing)
+{
+    write("system/solution", "spacing 0.5e-3;\n");
+    expectFailures
+    (
+        2,
+        {"solid particles are 2 spacings apart", "run sampleSurface", "liquid's particles are 2 spacings apart", "run fillLiquid"}
+    );
+}
+
+TEST_P(CheckCase, utilitiesDictionariesAndSteps)
+{
+    write("system/fillLiquidDict", "bodies { drop { type sphere; centre (0 0 0); raduis 1; } }");
+    expectFailures(1, {"'radius' is missing", "Did you mean 'raduis'"});
+    remove("system/fillLiquidDict");
+    control("deltaT 10; endTime 100;");
+    expectFailures(1, {"more than maxSubSteps 1000"});
+}
+
+}

@@ -1,0 +1,52 @@
+#include "geometry/ConnectedPoints.H"
+
+#include <gtest/gtest.h>
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+// n^3 points a distance of 1 apart, the first one at x.
+void addCube(std::vector<Vector3>& points, int n, const Vector3& x)
+{
+    for (int i = 0; i < n; ++i)
+    {
+        for (int j = 0; j < n; ++j)
+        {
+            for (int k = 0; k < n; ++k) points.push_back(x + Vector3(i, j, k));
+        }
+    }
+}
+
+}
+
+TEST(ConnectedPoints, groupsAreFurtherApartThanTheDistance)
+{
+    std::vector<Vector3> points;
+    addCube(points, 2, {0, 0, 0});
+    addCube(points, 3, {2.6, 0, 0});        // 1.6 from the first one
+    const auto groups = connectedPoints(points, 1.5);
+    ASSERT_EQ(groups.size(), 2u);
+    EXPECT_EQ(groups[0].size(), 27u);
+    EXPECT_EQ(groups[1].size(), 8u);
+    for (const int i : groups[1]) EXPECT_LT(i, 8);
+    EXPECT_EQ(connectedPoints(points, 1.7).size(), 1u);
+    EXPECT_EQ(connectedPoints(points, 0.9).size(), 35u);
+    EXPECT_TRUE(connectedPoints({}, 1).empty());
+}
+
+TEST(ConnectedPoints, gapsAreThoseToTheNearestOtherPoint)
+{
+    // On a line: nearest distances 1, 1, 1.5 and nothing within 3 for the last one.
+    const PointGaps gaps = measureGaps({{0, 0, 0}, {1, 0, 0}, {2.5, 0, 0}, {9, 0, 0}}, 3);
+    EXPECT_DOUBLE_EQ(gaps.least, 1);
+    EXPECT_DOUBLE_EQ(gaps.mean, 3.5/3);
+    EXPECT_DOUBLE_EQ(gaps.most, 1.5);
+    EXPECT_EQ(gaps.alone, 1u);
+    EXPECT_EQ(measureGaps({{0, 0, 0}}, 1).mean, 0);
+    EXPECT_EQ(measureGaps({{0, 0, 0}, {0, 0, 0}}, 1).least, 0);
+}
+
+}
