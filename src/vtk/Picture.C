@@ -301,7 +301,7 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
 {
     const std::vector<Vector3>& seen = scene.liquid.vertices.empty() ? scene.particles : scene.liquid.vertices;
     if (seen.empty()) throw FatalError("There is no liquid to be seen in " + file.string());
-    const Stage stage(seen, scene.floor ? scene.floor->normal : Vector3(0, 0, 1));
+    const Stage stage(seen, scene.up);
 
     vtkNew<vtkOpenGLRenderer> renderer;
     renderer->GradientBackgroundOn();

@@ -3,6 +3,7 @@
 #include "AngleCaption.H"
 
 #include "core/arguments/runApplication.H"
+#include "core/dictionary/Dictionary.H"
 #include "core/time/Time.H"
 #include "geometry/LiquidFiles.H"
 #include "geometry/PlyFile.H"
@@ -96,6 +97,19 @@ void addWalls(PictureScene& scene, const std::filesystem::path& casePath)
     }
 }
 
+// Against gravity, where the case has it; else the floor's normal.
+Vector3 upward(const std::filesystem::path& casePath, const std::optional<Plane>& floor)
+{
+    const auto models = casePath/"constant/models", gravity = casePath/"constant/g";
+    if (std::filesystem::exists(models) && std::filesystem::exists(gravity)
+        && Dictionary::read(models).lookupOr<std::string>("bodyForce", "none") == "gravity")
+    {
+        const Vector3 g = Dictionary::read(gravity).lookup<std::array<double, 3>>("value");
+        if (length(g) > 0) return -normalized(g);
+    }
+    return floor ? floor->normal : Vector3(0, 0, 1);
+}
+
 void render(const Arguments& args)
 {
     const TimeFolder time = chosenTime(args);
@@ -105,6 +119,7 @@ void render(const Arguments& args)
     scene.spacing = readSpacing(args.casePath());
     addLiquid(scene, time);
     addWalls(scene, args.casePath());
+    scene.up = upward(args.casePath(), scene.floor);
     std::ostringstream caption;
     caption << args.casePath().filename().string() << ", t = " << 1e3*time.value << " ms";
     const std::string angle = angleCaption(args.casePath(), time.value);
@@ -125,7 +140,7 @@ int main(int argc, char** argv)
     std::vector<Option> options = timeSelectionOptions();
     options.push_back({"output", "FILE", "the PNG; default: <case>/<name of the case>.png", ""});
     options.push_back({"size", "WxH", "pixels", "1600x1000"});
-    options.push_back({"view", "side|perspective", "level with the wall, or looking down on it", "perspective"});
+    options.push_back({"view", "side|perspective", "level, or looking down", "perspective"});
     return runApplication
     (
         argc, argv,
