@@ -2,7 +2,6 @@
 
 #include "device/Algorithms.H"
 #include "device/Gather.H"
-#include "maths/Lattice.H"
 #include "neighbours/CellGrid.H"
 #include "surface/BlockMap.H"
 
@@ -17,7 +16,7 @@ constexpr float level = 0.5f;
 // phi and its gradient.
 struct Indicator
 {
-    CubicSpline W;
+    SurfaceKernel W;
     float volume;
     CellGridView grid;
     Span<const Vec3> particles;
@@ -48,6 +47,18 @@ struct Indicator
         });
         gradient = volume * slope;
         return volume * sum;
+    }
+
+    // Out of the liquid, by the smooth part alone: shading shows the pattern of the particles less.
+    HOST_DEVICE Vec3 normal(Vec3 x) const
+    {
+        Vec3 slope;
+        grid.forEachCandidate(x, [&](int j)
+        {
+            const Vec3 r = x - particles[j];
+            slope += W.smooth.g(norm(r)) * r;
+        });
+        return (-1 / fmaxf(norm(slope), 1e-20f)) * slope;
     }
 };
 
@@ -120,9 +131,8 @@ struct PlaceVertices
             // Away from the nodes: two vertices that fell together would make a triangle without area.
             t = fminf(fmaxf(t, 0.01f), 0.99f);
             const Vec3 p = origin + t * along;
-            phi.value(p, gradient);
             vertices[int(vertex)] = p;
-            normals[int(vertex)] = (-1 / fmaxf(norm(gradient), 1e-20f)) * gradient;
+            normals[int(vertex)] = phi.normal(p);
         }
     }
 };
@@ -181,11 +191,7 @@ LiquidSurface::LiquidSurface(const SurfaceParameters& parameters)
 :
     parameters_(parameters),
     kernel_(parameters.support),
-    volume_
-    (
-        parameters.spacing * parameters.spacing * parameters.spacing
-      / latticeSum(parameters.spacing, parameters.support, [this](float r) { return kernel_.W(r); })
-    ),
+    volume_(parameters.spacing * parameters.spacing * parameters.spacing),
     table_(std::vector<MarchingCubesTable>{makeMarchingCubesTable()})
 {}
 
