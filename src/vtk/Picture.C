@@ -7,6 +7,7 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCleanPolyData.h>
 #include <vtkFloatArray.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
@@ -186,6 +187,28 @@ void addMatteSpheres(vtkRenderer& renderer, const std::vector<Vector3>& centres,
     renderer.AddActor(actor);
 }
 
+// A matte surface, smooth but for edges of more than 40 degrees.
+void addMatteSurface(vtkRenderer& renderer, const TriangleMesh& mesh)
+{
+    vtkNew<vtkCleanPolyData> merged;
+    merged->SetInputData(toPolyData(mesh));
+    merged->SetToleranceIsAbsolute(false);
+    merged->SetTolerance(1e-6);
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputConnection(merged->GetOutputPort());
+    normals->SetFeatureAngle(40);
+    normals->ConsistencyOff();
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(normals->GetOutputPort());
+    mapper->ScalarVisibilityOff();
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(0.80, 0.78, 0.74);
+    actor->GetProperty()->SetAmbient(0.25);
+    actor->GetProperty()->SetDiffuse(0.75);
+    renderer.AddActor(actor);
+}
+
 // Particles coloured by speed, dark blue to light, with a scalar bar.
 void addParticles(vtkRenderer& renderer, const PictureScene& scene)
 {
@@ -318,6 +341,7 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
         renderer->AddActor(waterActor(scene.liquid));
     }
     else addParticles(*renderer, scene);
+    if (!scene.walls.faces.empty()) addMatteSurface(*renderer, scene.walls);
     if (!scene.solid.empty()) addMatteSpheres(*renderer, scene.solid, scene.spacing);
     if (scene.floor)
     {

@@ -1,6 +1,7 @@
 // Renders a time of a case off screen: the liquid's surface as water, or its particles, on their wall.
 
 #include "AngleCaption.H"
+#include "CurvedWalls.H"
 
 #include "core/arguments/runApplication.H"
 #include "core/dictionary/Dictionary.H"
@@ -13,6 +14,7 @@
 
 #include <iostream>
 #include <regex>
+#include <set>
 #include <sstream>
 
 using namespace shizuku;
@@ -76,24 +78,25 @@ void addLiquid(PictureScene& scene, const TimeFolder& time)
     }
 }
 
-// The first plane wall is the floor; patches that are no planes are shown by their particles.
+// The first plane wall is the floor. Other patches are shown by the surface that they were sampled from, or by their
+// particles where that is not there.
 void addWalls(PictureScene& scene, const std::filesystem::path& casePath)
 {
     const CaseWalls walls = readCaseWalls(casePath);
-    std::vector<bool> curved(walls.solid.patches.size(), true);
+    std::set<std::string> shown(walls.solid.patches.begin(), walls.solid.patches.end());
     for (const std::string& name : walls.names)
     {
         const auto plane = planeOf(walls, name, scene.spacing);
         if (!plane) continue;
         if (!scene.floor) scene.floor = plane;
-        for (std::size_t patch = 0; patch < curved.size(); ++patch)
-        {
-            if (walls.solid.patches[patch] == name) curved[patch] = false;
-        }
+        shown.erase(name);
     }
+    const CurvedWalls curved = readCurvedWalls(casePath, shown);
+    scene.walls = curved.mesh;
     for (std::size_t i = 0; i < walls.solid.positions.size(); ++i)
     {
-        if (curved[walls.solid.patch[i]]) scene.solid.push_back(walls.solid.positions[i]);
+        const std::string& patch = walls.solid.patches[walls.solid.patch[i]];
+        if (shown.contains(patch) && !curved.patches.contains(patch)) scene.solid.push_back(walls.solid.positions[i]);
     }
 }
 

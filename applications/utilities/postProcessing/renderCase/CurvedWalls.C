@@ -1,0 +1,36 @@
+#include "CurvedWalls.H"
+
+#include "core/dictionary/Dictionary.H"
+#include "geometry/StlFile.H"
+
+namespace shizuku
+{
+
+CurvedWalls readCurvedWalls(const std::filesystem::path& casePath, const std::set<std::string>& patches)
+{
+    CurvedWalls curved;
+    if (patches.empty()) return curved;
+    const Dictionary walls = Dictionary::read(casePath/"constant/walls");
+    for (const std::string& name : walls.dictKeys())
+    {
+        const Dictionary wall = walls.subDict(name);
+        if (wall.lookupOr<std::string>("type", "") != "particles") continue;
+        const auto file = casePath/"constant/triSurface"/wall.lookupOr<std::string>("surface", "");
+        if (file.extension() != ".stl" || !std::filesystem::exists(file)) continue;
+
+        const double scale = wall.lookupOr("scale", 1.0);
+        const PatchedSurface surface = readStl(file, name);
+        for (std::size_t f = 0; f < surface.mesh.faces.size(); ++f)
+        {
+            const std::string& patch = surface.patches[surface.patch[f]];
+            if (!patches.contains(patch)) continue;
+            curved.patches.insert(patch);
+            const int first = int(curved.mesh.vertices.size());
+            for (const int v : surface.mesh.faces[f]) curved.mesh.vertices.push_back(scale*surface.mesh.vertices[v]);
+            curved.mesh.faces.push_back({first, first + 1, first + 2});
+        }
+    }
+    return curved;
+}
+
+}
