@@ -29,6 +29,11 @@ function(shizuku_backend backend)
             ${PROJECT_SOURCE_DIR}/applications/${path} ${PROJECT_SOURCE_DIR}/applications)
         target_compile_options(${name}-${backend} PRIVATE ${ARG_FLAGS})
         target_link_libraries(${name}-${backend} PRIVATE ${library})
+        if(${name}_PLUGINS AND TARGET ${${name}_PLUGINS})
+            # What registers itself is needed though nothing is called by name; only the linker sees it.
+            target_link_libraries(${name}-${backend} PRIVATE
+                -Wl,--no-as-needed $<LINK_ONLY:${${name}_PLUGINS}> -Wl,--as-needed)
+        endif()
         if(NOT TARGET ${name})
             shizuku_device_launcher(${name})
         endif()

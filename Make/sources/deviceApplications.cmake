@@ -8,3 +8,4 @@ set(pbfDroplet_SOURCES pbfDroplet.C StepControl.C StepReport.C SubStep.C DryRun.
 set(meshSurface_SOURCES meshSurface.C)
 set(checkCase_SOURCES checkCase.C Findings.C LiquidReport.C SolidReport.C SolvedCase.C
     ../../../solvers/pbfDroplet/StepControl.C ../../../solvers/pbfDroplet/SubStep.C ../../../solvers/pbfDroplet/DryRun.C)
+set(meshSurface_PLUGINS shizukuVtk)     # the format vtp, where VTK is

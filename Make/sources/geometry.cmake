@@ -30,6 +30,9 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/liquidBodies/LiquidChecks.C
     geometry/liquidBodies/SphereBody.C
     geometry/liquidBodies/SurfaceBody.C
+    geometry/surfaceFormats/ObjFormat.C
+    geometry/surfaceFormats/PlyFormat.C
+    geometry/surfaceFormats/StlFormat.C
     geometry/thetaModels/ChecksTheta.C
     geometry/thetaModels/ConstantTheta.C
     geometry/thetaModels/ExpressionTheta.C

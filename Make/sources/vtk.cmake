@@ -11,4 +11,5 @@ set(SHIZUKU_VTK_SOURCES
     vtk/VtkConversion.C
     vtk/VtkSeries.C
     vtk/VtpFile.C
+    vtk/VtpFormat.C
 )

@@ -13,16 +13,17 @@
 namespace shizuku
 {
 
-void sortByKey(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values)
+namespace
+{
+
+template<class Key>
+void sort(Buffer<Key>& keys, Buffer<std::uint32_t>& values)
 {
     const auto key = thrust::device_pointer_cast(keys.span().data);
     const auto value = thrust::device_pointer_cast(values.span().data);
     ++deviceCounters().launches;
     thrust::stable_sort_by_key(device::executionPolicy(), key, key + keys.size(), value);
 }
-
-namespace
-{
 
 // Stays at the largest number instead of starting anew at zero.
 struct SaturatingSum
@@ -35,6 +36,9 @@ struct SaturatingSum
 };
 
 }
+
+void sortByKey(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values) { sort(keys, values); }
+void sortByKey(Buffer<std::uint64_t>& keys, Buffer<std::uint32_t>& values) { sort(keys, values); }
 
 std::uint32_t exclusiveScan(const Buffer<std::uint32_t>& in, Buffer<std::uint32_t>& out, const char* list)
 {

@@ -18,9 +18,9 @@ std::vector<Vector3> readLiquidPositions(const std::filesystem::path& timePath)
     return toVectors(positions, positions.elements());
 }
 
-std::filesystem::path liquidSurfaceFile(const std::filesystem::path& timePath)
+std::filesystem::path liquidSurfaceFile(const std::filesystem::path& timePath, const std::string& format)
 {
-    return timePath/"surface/liquid.ply";
+    return timePath/"surface"/("liquid." + format);
 }
 
 }

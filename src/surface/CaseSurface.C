@@ -1,15 +1,32 @@
 #include "surface/CaseSurface.H"
 
 #include "core/dictionary/Dictionary.H"
+#include "geometry/surfaceFormats/SurfaceFormat.H"
 
 namespace shizuku
 {
 
-SurfaceParameters readSurfaceParameters(const std::filesystem::path& casePath, float spacing)
+namespace
+{
+
+Dictionary readSurfaceDict(const std::filesystem::path& casePath)
 {
     const auto file = casePath / "system/meshSurfaceDict";
-    const Dictionary dict = std::filesystem::exists(file) ? Dictionary::read(file) : Dictionary();
+    return std::filesystem::exists(file) ? Dictionary::read(file) : Dictionary();
+}
+
+std::vector<std::string> formatsOf(const Dictionary& dict)
+{
+    return dict.lookupOr("formats", std::vector<std::string>{"ply"});
+}
+
+}
+
+SurfaceParameters readSurfaceParameters(const std::filesystem::path& casePath, float spacing)
+{
+    const Dictionary dict = readSurfaceDict(casePath);
     const double cell = dict.lookupOr("cell", 0.5), support = dict.lookupOr("support", 2.0);
+    formatsOf(dict);            // meshSurface's
     dict.refuseUnused();
     if (!(cell >= 0.1 && cell <= 2)) throw FatalInputError(dict.where("cell"), "The cell is out of range", "0.1 to 2 spacings");
     if (!(support >= 1 && support <= 8))
@@ -17,6 +34,14 @@ SurfaceParameters readSurfaceParameters(const std::filesystem::path& casePath, f
         throw FatalInputError(dict.where("support"), "The support is out of range", "1 to 8 spacings");
     }
     return {spacing, float(cell) * spacing, float(support) * spacing};
+}
+
+std::vector<std::string> readSurfaceFormats(const std::filesystem::path& casePath)
+{
+    const Dictionary dict = readSurfaceDict(casePath);
+    const std::vector<std::string> formats = formatsOf(dict);
+    for (const std::string& word : formats) SurfaceFormatTable::New("surface format", word, dict.where("formats"));
+    return formats;
 }
 
 TriangleMesh toTriangleMesh(const SurfaceMesh& mesh, double unit)

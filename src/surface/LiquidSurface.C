@@ -2,8 +2,12 @@
 
 #include "device/Algorithms.H"
 #include "device/Gather.H"
+#include "maths/Lattice.H"
 #include "neighbours/CellGrid.H"
-#include "surface/BlockMap.H"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
 
 namespace shizuku
 {
@@ -12,11 +16,42 @@ namespace
 {
 
 constexpr float level = 0.5f;
+constexpr float wideSupport = 1.75f;        // of the second smoothing, supports of the first
+
+// Of a kernel smoothing the half space below a plane: phi's slope on the plane, and s^2, half the mean square radius of W
+// in the plane. Where the plane bends to a sphere of radius R, the level 1/2 moves inwards by s^2/R (doc/theory/surface.md).
+struct PlaneMoments
+{
+    double slope = 0;           // 1/length
+    double s2 = 0;              // length^2
+
+    explicit PlaneMoments(const CubicSpline& W)
+    {
+        constexpr int intervals = 2000;
+        const double dr = double(W.h) / intervals;
+        double first = 0, third = 0;
+        for (int k = 0; k < intervals; ++k)
+        {
+            const double r = (k + 0.5) * dr, ring = W.W(float(r)) * r * dr;
+            first += ring;
+            third += ring * r * r;
+        }
+        slope = 2 * std::numbers::pi * first;
+        s2 = 0.5 * third / first;
+    }
+};
+
+// V/S: scales the sum of W to 1 in liquid at rest.
+float volumeOf(float spacing, const CubicSpline& W)
+{
+    const float sum = latticeSum(spacing, W.h, [&W](float r) { return W.W(r); });
+    return spacing * spacing * spacing / sum;
+}
 
 // phi and its gradient.
 struct Indicator
 {
-    SurfaceKernel W;
+    CubicSpline W;
     float volume;
     CellGridView grid;
     Span<const Vec3> particles;
@@ -37,28 +72,18 @@ struct Indicator
     {
         float sum = 0;
         Vec3 slope;
+        const float support2 = W.h * W.h;
         grid.forEachCandidate(x, [&](int j)
         {
             const Vec3 r = x - particles[j];
-            const float distance = norm(r);
-            if (distance >= W.h) return;
+            const float r2 = squared(r);
+            if (r2 >= support2) return;
+            const float distance = sqrtf(r2);
             sum += W.W(distance);
             slope += W.g(distance) * r;
         });
         gradient = volume * slope;
         return volume * sum;
-    }
-
-    // Out of the liquid, by the smooth part alone: shading shows the pattern of the particles less.
-    HOST_DEVICE Vec3 normal(Vec3 x) const
-    {
-        Vec3 slope;
-        grid.forEachCandidate(x, [&](int j)
-        {
-            const Vec3 r = x - particles[j];
-            slope += W.smooth.g(norm(r)) * r;
-        });
-        return (-1 / fmaxf(norm(slope), 1e-20f)) * slope;
     }
 };
 
@@ -68,22 +93,31 @@ struct EvaluateNodes
     BlockMapView map;
     Span<float> value;
 
-    HOST_DEVICE void operator()(int i) const { value[i] = phi.value(map.position(map.node(i))); }
+    HOST_DEVICE void operator()(int i) const { value[i] = phi.value(map.position(i)); }
 };
 
-// Values at nodes, zero outside of active blocks.
+// Values at nodes, zero where none is stored.
 struct NodeField
 {
     BlockMapView map;
     Span<const float> value;
 
-    HOST_DEVICE float operator()(int x, int y, int z) const
+    // Node i moved by 0 or 1 along each axis.
+    HOST_DEVICE float at(int i, int dx, int dy, int dz) const
     {
-        const int i = map.index(x, y, z);
-        return i < 0 ? 0 : value[i];
+        const int n = map.neighbour(i, dx, dy, dz);
+        return n < 0 ? 0 : value[n];
     }
 
-    HOST_DEVICE bool inside(int x, int y, int z) const { return (*this)(x, y, z) > level; }
+    HOST_DEVICE bool inside(int i, int dx, int dy, int dz) const { return at(i, dx, dy, dz) > level; }
+
+    // Of the cell whose lowest corner is node i: its corners inside as bits.
+    HOST_DEVICE int caseOf(int i) const
+    {
+        int corners = 0;
+        for (int c = 0; c < 8; ++c) corners |= inside(i, c & 1, c >> 1 & 1, c >> 2 & 1) ? 1 << c : 0;
+        return corners;
+    }
 };
 
 // Node i owns the edges to the next node along x, y, z; crossed[3 i + axis] says whether the surface cuts it.
@@ -94,58 +128,70 @@ struct FindCrossings
 
     HOST_DEVICE void operator()(int i) const
     {
-        const auto n = field.map.node(i);
         const bool here = field.value[i] > level;
-        crossed[3 * i] = here != field.inside(n.x + 1, n.y, n.z);
-        crossed[3 * i + 1] = here != field.inside(n.x, n.y + 1, n.z);
-        crossed[3 * i + 2] = here != field.inside(n.x, n.y, n.z + 1);
+        crossed[3 * i] = here != field.inside(i, 1, 0, 0);
+        crossed[3 * i + 1] = here != field.inside(i, 0, 1, 0);
+        crossed[3 * i + 2] = here != field.inside(i, 0, 0, 1);
     }
 };
 
-// A vertex on each crossed edge: linear interpolation, then one Newton step along the edge on phi itself.
+struct ListEdges
+{
+    Span<const std::uint32_t> firstVertex;
+    Span<std::uint32_t> edges;              // of each vertex: 3 node + axis
+
+    HOST_DEVICE void operator()(int edge) const
+    {
+        const std::uint32_t vertex = firstVertex[edge];
+        if (firstVertex[edge + 1] > vertex) edges[int(vertex)] = std::uint32_t(edge);
+    }
+};
+
+// A vertex on its edge: linear interpolation, then one Newton step along the edge on phi itself.
 struct PlaceVertices
 {
     NodeField field;
     Indicator phi;
-    Span<const std::uint32_t> first;
+    Span<const std::uint32_t> edges;
     Span<Vec3> vertices, normals;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int v) const
     {
-        const auto n = field.map.node(i);
-        const Vec3 origin = field.map.position(n);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            const std::uint32_t vertex = first[3 * i + axis];
-            if (first[3 * i + axis + 1] == vertex) continue;
-
-            const float a = field.value[i];
-            const float b = field(n.x + (axis == 0), n.y + (axis == 1), n.z + (axis == 2));
-            const float cell = field.map.cell;
-            const Vec3 along{axis == 0 ? cell : 0, axis == 1 ? cell : 0, axis == 2 ? cell : 0};
-            float t = (level - a) / (b - a);
-            Vec3 gradient;
-            const float value = phi.value(origin + t * along, gradient);
-            const float slope = dot(gradient, along);
-            if (slope * (b - a) > 0) t += (level - value) / slope;
-            // Away from the nodes: two vertices that fell together would make a triangle without area.
-            t = fminf(fmaxf(t, 0.01f), 0.99f);
-            const Vec3 p = origin + t * along;
-            vertices[int(vertex)] = p;
-            normals[int(vertex)] = phi.normal(p);
-        }
+        const int i = int(edges[v] / 3), axis = int(edges[v] % 3);
+        const float a = field.value[i], b = field.at(i, axis == 0, axis == 1, axis == 2);
+        const float cell = field.map.cell;
+        const Vec3 origin = field.map.position(i);
+        const Vec3 along{axis == 0 ? cell : 0, axis == 1 ? cell : 0, axis == 2 ? cell : 0};
+        float t = (level - a) / (b - a);
+        Vec3 gradient;
+        const float value = phi.value(origin + t * along, gradient);
+        const float slope = dot(gradient, along);
+        if (slope * (b - a) > 0) t += (level - value) / slope;
+        // Away from the nodes: two vertices that fell together would make a triangle without area.
+        t = fminf(fmaxf(t, 0.01f), 0.99f);
+        const Vec3 p = origin + t * along;
+        phi.value(p, gradient);
+        vertices[v] = p;
+        normals[v] = (-1 / fmaxf(norm(gradient), 1e-20f)) * gradient;
     }
 };
 
-HOST_DEVICE int caseOf(const NodeField& field, BlockMapView::Node n)
+// Takes back what the smoothing moved the level on a bent surface: the level of a wider smoothing is further in, by an
+// amount that goes with s^2 of both.
+struct CorrectForCurvature
 {
-    int inside = 0;
-    for (int c = 0; c < 8; ++c)
+    Indicator wide;
+    float gain;                             // s^2/(s_wide^2 - s^2)/slope_wide
+    float most;                             // s^2/h: that of a sphere of radius h, which is the smallest that is resolved
+    Span<const Vec3> normals;
+    Span<Vec3> vertices;
+
+    HOST_DEVICE void operator()(int v) const
     {
-        if (field.inside(n.x + (c & 1), n.y + (c >> 1 & 1), n.z + (c >> 2 & 1))) inside |= 1 << c;
+        const float shift = gain * (level - wide.value(vertices[v]));
+        vertices[v] += fminf(fmaxf(shift, -most), most) * normals[v];
     }
-    return inside;
-}
+};
 
 struct CountTriangles
 {
@@ -155,7 +201,7 @@ struct CountTriangles
 
     HOST_DEVICE void operator()(int i) const
     {
-        count[i] = table[0].triangles[caseOf(field, field.map.node(i))];
+        count[i] = table[0].triangles[field.caseOf(i)];
     }
 };
 
@@ -170,15 +216,14 @@ struct StoreTriangles
     {
         const std::uint32_t first = firstTriangle[i], count = firstTriangle[i + 1] - first;
         if (count == 0) return;
-        const auto n = field.map.node(i);
-        const auto& edges = table[0].edges[caseOf(field, n)];
+        const auto& edges = table[0].edges[field.caseOf(i)];
         for (std::uint32_t k = 0; k < 3 * count; ++k)
         {
             // Edge 4 axis + bits starts at the offsets of its bits along the two other axes, lower axis first.
             const int edge = edges[k], axis = edge / 4, low = edge & 1, high = edge >> 1 & 1;
-            const int owner = field.map.index
+            const int owner = field.map.neighbour
             (
-                n.x + (axis == 0 ? 0 : low), n.y + (axis == 0 ? low : axis == 1 ? 0 : high), n.z + (axis == 2 ? 0 : high)
+                i, axis == 0 ? 0 : low, axis == 0 ? low : axis == 1 ? 0 : high, axis == 2 ? 0 : high
             );
             triangles[int(3 * first + k)] = firstVertex[3 * owner + axis];
         }
@@ -189,16 +234,17 @@ struct StoreTriangles
 
 LiquidSurface::LiquidSurface(const SurfaceParameters& parameters)
 :
-    parameters_(parameters),
-    kernel_(parameters.support),
-    volume_(parameters.spacing * parameters.spacing * parameters.spacing),
+    kernel_(parameters.support), wideKernel_(wideSupport * parameters.support),
+    volume_(volumeOf(parameters.spacing, kernel_)), wideVolume_(volumeOf(parameters.spacing, wideKernel_)),
+    grid_(kernel_.h), wideGrid_(wideKernel_.h),
+    blocks_(parameters.cell, parameters.support + parameters.cell),
     table_(std::vector<MarchingCubesTable>{makeMarchingCubesTable()})
 {}
 
 SurfaceMesh LiquidSurface::extract(const std::vector<Vec3>& positions)
 {
-    const Buffer<Vec3> given(positions);
-    return extract(given.span());
+    given_.upload(positions);
+    return extract(std::as_const(given_).span());
 }
 
 SurfaceMesh LiquidSurface::extract(Span<const Vec3> positions)
@@ -206,32 +252,56 @@ SurfaceMesh LiquidSurface::extract(Span<const Vec3> positions)
     SurfaceMesh mesh;
     if (positions.size == 0) return mesh;
 
-    Buffer<Vec3> particles;
-    CellGrid grid(parameters_.support);
-    gather(positions, grid.build(positions, positions.size), particles);
-    const Indicator phi{kernel_, volume_, grid.view(), particles.span()};
-
-    const BlockMap blocks(particles.span(), parameters_.cell, parameters_.support + parameters_.cell);
-    const int nodes = blocks.activeNodes();
-    Buffer<float> value(nodes);
-    forEach(nodes, EvaluateNodes{phi, blocks.view(), value.span()});
-    const NodeField field{blocks.view(), value.span()};
-
-    Buffer<std::uint32_t> flags(3 * nodes), firstVertex, firstTriangle;
-    forEach(nodes, FindCrossings{field, flags.span()});
-    const int vertexCount = int(exclusiveScan(flags, firstVertex, "vertices of the surface"));
-    Buffer<Vec3> vertices(vertexCount), normals(vertexCount);
-    forEach(nodes, PlaceVertices{field, phi, firstVertex.span(), vertices.span(), normals.span()});
-
-    flags.resize(nodes);
-    forEach(nodes, CountTriangles{field, table_.span(), flags.span()});
-    Buffer<std::uint32_t> triangles(3 * int(exclusiveScan(flags, firstTriangle, "triangles of the surface")));
-    forEach(nodes, StoreTriangles{field, table_.span(), firstTriangle.span(), firstVertex.span(), triangles.span()});
-
-    mesh.vertices = vertices.download();
-    mesh.normals = normals.download();
-    mesh.triangles = triangles.download();
+    gather(positions, grid_.build(positions, positions.size), particles_);
+    gather(positions, wideGrid_.build(positions, positions.size), wideParticles_);
+    evaluateNodes();
+    placeVertices();
+    placeTriangles();
+    mesh.vertices = vertices_.download();
+    mesh.normals = normals_.download();
+    mesh.triangles = triangles_.download();
     return mesh;
+}
+
+void LiquidSurface::evaluateNodes()
+{
+    blocks_.cover(particles_.span());
+    value_.resizeDiscarding(blocks_.nodes());
+    const Indicator phi{kernel_, volume_, grid_.view(), particles_.span()};
+    forEach(value_.size(), EvaluateNodes{phi, blocks_.view(), value_.span()});
+}
+
+void LiquidSurface::placeVertices()
+{
+    const NodeField field{blocks_.view(), value_.span()};
+    flags_.resizeDiscarding(3 * value_.size());
+    forEach(value_.size(), FindCrossings{field, flags_.span()});
+    const int count = int(exclusiveScan(flags_, firstVertex_, "vertices of the surface"));
+    edges_.resizeDiscarding(count);
+    forEach(flags_.size(), ListEdges{firstVertex_.span(), edges_.span()});
+
+    vertices_.resizeDiscarding(count);
+    normals_.resizeDiscarding(count);
+    const Indicator phi{kernel_, volume_, grid_.view(), particles_.span()};
+    forEach(count, PlaceVertices{field, phi, edges_.span(), vertices_.span(), normals_.span()});
+
+    const PlaneMoments moments(kernel_), wideMoments(wideKernel_);
+    const float gain = float(moments.s2 / ((wideMoments.s2 - moments.s2) * wideMoments.slope));
+    const Indicator wide{wideKernel_, wideVolume_, wideGrid_.view(), wideParticles_.span()};
+    forEach(count, CorrectForCurvature{wide, gain, float(moments.s2) / kernel_.h, normals_.span(), vertices_.span()});
+}
+
+void LiquidSurface::placeTriangles()
+{
+    const NodeField field{blocks_.view(), value_.span()};
+    flags_.resizeDiscarding(value_.size());
+    forEach(value_.size(), CountTriangles{field, table_.span(), flags_.span()});
+    triangles_.resizeDiscarding(3 * int(exclusiveScan(flags_, firstTriangle_, "triangles of the surface")));
+    forEach
+    (
+        value_.size(),
+        StoreTriangles{field, table_.span(), firstTriangle_.span(), firstVertex_.span(), triangles_.span()}
+    );
 }
 
 }

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
 #include <sstream>
 
 namespace shizuku
@@ -242,6 +243,14 @@ double Arguments::getDouble(const std::string& option) const
         throw FatalInputError({}, "Option -" + option + " has the value '" + text + "'", "a number");
     }
     return value;
+}
+
+std::vector<std::string> Arguments::getList(const std::string& option) const
+{
+    std::string text = get(option);
+    std::replace_if(text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
+    std::istringstream words(text);
+    return {std::istream_iterator<std::string>(words), {}};
 }
 
 std::string Arguments::positional(const std::string& name) const

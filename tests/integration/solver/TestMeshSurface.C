@@ -70,8 +70,26 @@ TEST_P(MeshSurface, meshesTheTimesAskedFor)
     expectMeshRefusal({"-latestTime and -time"}, "-time 0 -latestTime");
 }
 
+TEST_P(MeshSurface, writesTheFormatsAskedFor)
+{
+    ASSERT_EQ(call("meshSurface", "-time 0 -formats '(stl obj)'").status, 0);
+    EXPECT_TRUE(exists("0/surface/liquid.stl") && exists("0/surface/liquid.obj"));
+    EXPECT_FALSE(exists("0/surface/liquid.ply"));
+    write("system/meshSurfaceDict", "formats (ply obj);");
+    const Outcome outcome = call("meshSurface", "-time 0.001");
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"against the particles' N d^3", "Memory : ", "bytes a particle"}));
+    EXPECT_TRUE(exists("0.001/surface/liquid.ply") && exists("0.001/surface/liquid.obj"));
+    EXPECT_FALSE(exists("0.001/surface/liquid.stl"));
+}
+
 TEST_P(MeshSurface, badInputIsRefused)
 {
+    expectMeshRefusal({"Unknown surface format", "'plyy'", "Did you mean 'ply'", "obj", "stl"}, "-formats '(stl plyy)'");
+    expectMeshRefusal({"No format is chosen", "ply", "stl"}, "-formats '()'");
+    write("system/meshSurfaceDict", "formats (ply\nst);");
+    expectMeshRefusal({"'st'", "system/meshSurfaceDict at line 1", "stl"});
+    expectMeshRefusal({"Option -time has the value 'abc'", "a range A:B"}, "-time abc");
     write("system/meshSurfaceDict", "\ncell 0;");
     expectMeshRefusal({"cell", "system/meshSurfaceDict at line 2", "0.1 to 2"});
     write("system/meshSurfaceDict", "cel 0.5;");
@@ -89,6 +107,8 @@ TEST_P(MeshSurface, badInputIsRefused)
     expectMeshRefusal({"0/liquid/positions"}, "-time 0");
     remove("0/liquid/positions");
     expectMeshRefusal({"missing", "0/liquid/positions"}, "-time 0");
+    remove("0/liquid");
+    expectMeshRefusal({"None of the selected times holds liquid", "<time>/liquid/positions"}, "-time 0");
 }
 
 TEST_P(MeshSurface, aFullDiskLeavesNothing)

@@ -32,6 +32,24 @@ TEST(Algorithms, SortByKeyIsStable)
     }
 }
 
+// Keys that differ in their upper halves alone.
+TEST(Algorithms, SortByKeyTakesLongKeys)
+{
+    RandomNumbers random(4);
+    std::vector<std::uint64_t> keys(3000);
+    for (auto& key : keys) key = std::uint64_t(random(0, 500)) << 40 | 7;
+    std::vector<std::uint32_t> order(keys.size());
+    std::iota(order.begin(), order.end(), 0u);
+    Buffer<std::uint64_t> deviceKeys(keys);
+    Buffer<std::uint32_t> deviceValues(order);
+    sortByKey(deviceKeys, deviceValues);
+
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return keys[a] < keys[b]; });
+    std::sort(keys.begin(), keys.end());
+    EXPECT_EQ(deviceKeys.download(), keys);
+    EXPECT_EQ(deviceValues.download(), order);
+}
+
 TEST(Algorithms, ExclusiveScanReturnsTheTotalBehindThePrefixSums)
 {
     RandomNumbers random(5);

@@ -3,6 +3,7 @@
 #include "device/Device.H"
 #include "geometry/MeshTopology.H"
 #include "support/PointSets.H"
+#include "support/ScratchFolder.H"
 
 #include <gtest/gtest.h>
 
@@ -31,6 +32,21 @@ TriangleMesh meshOf(const std::vector<Vec3>& particles, const SurfaceParameters&
     return mesh;
 }
 
+// About n points of the lattice in a spherical cap on the plane z = 0, the lowest layer half a spacing above it.
+std::vector<Vec3> latticeCap(double theta, int n)
+{
+    const double cosine = std::cos(theta * std::numbers::pi / 180);
+    const double radius = std::cbrt(3 * n / (std::numbers::pi * (2 + cosine) * (1 - cosine) * (1 - cosine)));
+    const float centre = -float(radius * cosine);
+    const int half = int(radius) + 2;
+    std::vector<Vec3> points;
+    for (const Vec3 p : latticeBlock(2 * half, 2 * half, 2 * half, 1, {0.3f - float(half), 0.6f - float(half), 0.5f}))
+    {
+        if (norm(p - Vec3{0, 0, centre}) < radius) points.push_back(p);
+    }
+    return points;
+}
+
 void expectSurface(const TriangleMesh& mesh)
 {
     const MeshDefects defects = findDefects(mesh);
@@ -43,21 +59,76 @@ void expectSurface(const TriangleMesh& mesh)
 
 }
 
-// The kernel's second moment in a plane is zero, so that a ball has the volume N d^3 whatever its radius: 0.3 % for the
-// steps of the lattice's edge and the facets. The plain spline would lose 3 s^2/R^2, 2.6 % and 0.95 %.
-TEST(LiquidSurface, ClosesAroundABall)
+// Without the correction for curvature a ball of radius R loses 3 s^2/R^2 of its volume, s^2 = 0.316 spacings^2: 5.9, 2.6 and
+// 0.9 % here. With it what remains is of higher order in 1/R, and the steps of the lattice: 0.2 %.
+TEST(LiquidSurface, KeepsTheVolumeOfBalls)
 {
-    for (const float radius : {6.0f, 10.0f})
+    for (const float radius : {4.0f, 6.0f, 10.0f})
     {
         const auto ball = latticeBall(radius, {3, -2, 40});
         const TriangleMesh mesh = meshOf(ball);
         expectSurface(mesh);
         EXPECT_EQ(connectedComponents(mesh).size(), 1u);
-        const double volume = mesh.volume() / double(ball.size());
-        EXPECT_NEAR(volume, 1, 0.003) << radius;
+        EXPECT_NEAR(mesh.volume() / double(ball.size()), 1, 0.002) << radius;
         const Vector3 centre = mesh.centroid();
         EXPECT_NEAR(length(centre - Vector3(3, -2, 40)), 0, 1e-3);      // the lattice is symmetric about it
     }
+}
+
+// Caps on a wall, with the edge at their contact line: of 2000 particles the volume is within 1 % of the particles', of 500
+// within 2 %, and the more so the less flat they are. (Uncorrected: -3.1 % at 30 degrees, -1.6 to -2.2 % above, of 2000.)
+TEST(LiquidSurface, KeepsTheVolumeOfCaps)
+{
+    struct Cap { double theta; int particles; double tolerance; };
+    for (const auto& [theta, particles, tolerance] : std::vector<Cap>
+    {
+        {30, 500, 0.02}, {60, 500, 0.01}, {90, 500, 0.005}, {150, 500, 0.005},
+        {30, 2000, 0.01}, {60, 2000, 0.003}, {90, 2000, 0.003}, {120, 2000, 0.003}, {150, 2000, 0.003}
+    })
+    {
+        const auto cap = latticeCap(theta, particles);
+        const TriangleMesh mesh = meshOf(cap);
+        expectSurface(mesh);
+        EXPECT_NEAR(mesh.volume() / double(cap.size()), 1, tolerance) << theta << " degrees, " << cap.size();
+    }
+}
+
+// Drops far from each other take no more memory than drops side by side.
+TEST(LiquidSurface, TakesMemoryForTheLiquidAlone)
+{
+    const auto bytesOf = [](float distance)
+    {
+        auto balls = latticeBall(5);
+        const auto other = latticeBall(5, {distance, distance, -distance});
+        balls.insert(balls.end(), other.begin(), other.end());
+        LiquidSurface surface(parameters);
+        const std::size_t before = deviceCounters().bytes;
+        EXPECT_GT(surface.extract(balls).triangles.size(), 0u);
+        return deviceCounters().bytes - before;
+    };
+    EXPECT_EQ(bytesOf(6400), bytesOf(16));      // whole blocks of four spacings apart: the same nodes around each
+}
+
+// What is kept from one surface to the next does not change it.
+TEST(LiquidSurface, DoesNotDependOnWhatWasMeshedBefore)
+{
+    LiquidSurface surface(parameters);
+    surface.extract(latticeBall(9));
+    const SurfaceMesh again = surface.extract(latticeBall(5, {2, 3, 4}));
+    const SurfaceMesh fresh = LiquidSurface(parameters).extract(latticeBall(5, {2, 3, 4}));
+    EXPECT_EQ(again.triangles, fresh.triangles);
+    ASSERT_EQ(again.vertices.size(), fresh.vertices.size());
+    for (std::size_t v = 0; v < fresh.vertices.size(); ++v)
+    {
+        ASSERT_EQ(norm(again.vertices[v] - fresh.vertices[v]), 0);
+        ASSERT_EQ(norm(again.normals[v] - fresh.normals[v]), 0);
+    }
+}
+
+TEST(LiquidSurface, RefusesParticlesThatFlewAway)
+{
+    const auto message = messageOf<FatalError>([] { LiquidSurface(parameters).extract({{0, 0, 0}, {0, 1e8f, 0}}); });
+    EXPECT_TRUE(holds(message, {"200000000 cells away", "flew away"})) << message;
 }
 
 TEST(LiquidSurface, HasUnitNormalsOutwards)
@@ -104,16 +175,17 @@ TEST(LiquidSurface, StaysASurfaceAroundScatteredLiquid)
 }
 
 // A plane's face: phi = 1/2 half a spacing above the last layer by symmetry, but for the pattern that the lattice
-// prints through. Vertices stand where phi is 1/2 along an edge after one Newton step: 3 % of a spacing for both.
+// prints through in either smoothing. Vertices stand where phi is 1/2 along an edge after one Newton step: 0.5 % of a
+// spacing for all of it.
 TEST(LiquidSurface, LiesHalfASpacingOutsideOfALayer)
 {
-    const TriangleMesh mesh = meshOf(latticeBlock(16, 16, 8, 1), {.spacing = 1, .cell = 0.45f, .support = 2});
+    const TriangleMesh mesh = meshOf(latticeBlock(18, 18, 9, 1), {.spacing = 1, .cell = 0.45f, .support = 2});
     expectSurface(mesh);
     for (const Vector3& v : mesh.vertices)
     {
-        if (v.x > 5 && v.x < 10 && v.y > 5 && v.y < 10 && v.z > 4)
+        if (v.x > 6 && v.x < 11 && v.y > 6 && v.y < 11 && v.z > 4)
         {
-            ASSERT_NEAR(v.z, 7.5, 0.03);
+            ASSERT_NEAR(v.z, 8.5, 0.005);
         }
     }
 }
@@ -127,12 +199,11 @@ TEST(LiquidSurface, OfNothingIsEmpty)
     EXPECT_EQ(deviceCounters().launches, before);
 }
 
-// One particle's phi at its centre is 8/(pi (h/d)^3) (1 + 36 s^2/h^2) = 9.80/(h/d)^3: 0.36 for h = 3 d, below the level,
-// and 1.22 for h = 2 d.
+// One particle's phi at its centre is 8/(pi (h/d)^3): 0.32 for h = 2 d, below the level; 0.75 for h = 1.5 d.
 TEST(LiquidSurface, OfOneParticleIsEmptyOrClosed)
 {
-    EXPECT_TRUE(meshOf({{0.2f, 0.1f, -0.3f}}, {.spacing = 1, .cell = 0.2f, .support = 3}).faces.empty());
-    const TriangleMesh mesh = meshOf({{0.2f, 0.1f, -0.3f}}, {.spacing = 1, .cell = 0.2f, .support = 2});
+    EXPECT_TRUE(meshOf({{0.2f, 0.1f, -0.3f}}).faces.empty());
+    const TriangleMesh mesh = meshOf({{0.2f, 0.1f, -0.3f}}, {.spacing = 1, .cell = 0.2f, .support = 1.5f});
     EXPECT_GT(mesh.volume(), 0);
     expectSurface(mesh);
 }

@@ -1,21 +1,65 @@
-// meshSurface: the liquid's surface of each time as a closed triangle mesh, <time>/surface/liquid.ply.
+// meshSurface: the liquid's surface of each time as a closed triangle mesh, <time>/surface/liquid.<format>.
 
 #include "core/arguments/runApplication.H"
 #include "core/messages/Progress.H"
 #include "core/time/Time.H"
 #include "device/Device.H"
 #include "geometry/LiquidFiles.H"
-#include "geometry/PlyFile.H"
+#include "geometry/surfaceFormats/SurfaceFormat.H"
 #include "particles/Units.H"
 #include "surface/CaseSurface.H"
 
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 
 namespace shizuku
 {
 
 namespace
 {
+
+using Formats = std::vector<std::pair<std::string, std::unique_ptr<SurfaceFormat>>>;
+
+Formats chosenFormats(const Arguments& args)
+{
+    Formats formats;
+    const bool asked = args.found("formats");
+    for (const std::string& word : asked ? args.getList("formats") : readSurfaceFormats(args.casePath()))
+    {
+        formats.emplace_back(word, SurfaceFormatTable::New("surface format", word, {}));
+    }
+    if (formats.empty()) throw FatalInputError({}, "No format is chosen", "some of those below", SurfaceFormatTable::words());
+    return formats;
+}
+
+// Those of the selected times that hold liquid.
+std::vector<TimeFolder> timesWithLiquid(const Arguments& args)
+{
+    std::vector<TimeFolder> times = selectTimes(args);
+    std::erase_if(times, [](const TimeFolder& time) { return !std::filesystem::exists(time.path/"liquid"); });
+    if (!times.empty()) return times;
+    throw FatalInputError
+    (
+        {args.casePath().string(), 0}, "None of the selected times holds liquid",
+        "<time>/liquid/positions, of fillLiquid or the solver"
+    );
+}
+
+std::vector<Vec3> scaled(const std::vector<Vector3>& positions, double unit)
+{
+    std::vector<Vec3> result;
+    result.reserve(positions.size());
+    for (const Vector3& x : positions) result.push_back({float(x.x / unit), float(x.y / unit), float(x.z / unit)});
+    return result;
+}
+
+std::string signedPercent(double fraction)
+{
+    std::ostringstream text;
+    text << std::showpos << std::fixed << std::setprecision(2) << 100 * fraction << " %";
+    return text.str();
+}
 
 void meshSurface(const Arguments& args)
 {
@@ -25,21 +69,27 @@ void meshSurface(const Arguments& args)
     const double spacing = readSpacing(args.casePath());
     const Units units = Units::near(spacing, 1, 1);
     LiquidSurface surface(readSurfaceParameters(args.casePath(), units.toScaled(spacing, dimensions::length)));
-    const auto times = selectTimes(args);
+    const Formats formats = chosenFormats(args);
+    const auto times = timesWithLiquid(args);
     Progress progress("Meshing");
+    std::size_t most = 0;
     for (std::size_t t = 0; t < times.size(); ++t)
     {
-        std::vector<Vec3> positions;
-        for (const Vector3& x : readLiquidPositions(times[t].path))
-        {
-            positions.push_back({float(x.x / units.length), float(x.y / units.length), float(x.z / units.length)});
-        }
-        const TriangleMesh mesh = toTriangleMesh(surface.extract(positions), units.length);
-        writePly(liquidSurfaceFile(times[t].path), mesh);
-        std::cout << "Time = " << times[t].name << " s: " << mesh.faces.size() << " triangles, volume "
-                  << mesh.volume() << " m3" << std::endl;
+        const std::vector<Vector3> positions = readLiquidPositions(times[t].path);
+        const TriangleMesh mesh = toTriangleMesh(surface.extract(scaled(positions, units.length)), units.length);
+        for (const auto& [word, format] : formats) format->write(liquidSurfaceFile(times[t].path, word), mesh);
+        const double volume = mesh.volume(), filled = double(positions.size()) * spacing * spacing * spacing;
+        std::cout << "Time = " << times[t].name << " s: " << mesh.faces.size() << " triangles, volume " << volume << " m3";
+        if (filled > 0) std::cout << " (" << signedPercent(volume / filled - 1) << " against the particles' N d^3)";
+        std::cout << std::endl;
         progress.update(double(t + 1) / double(times.size()));
+        most = std::max(most, positions.size());
     }
+
+    const std::size_t bytes = deviceCounters().peakBytes;
+    std::cout << "\nMemory : " << bytes / 1000000.0 << " MB on the device";
+    if (most > 0) std::cout << ", " << bytes / most << " bytes a particle";
+    std::cout << "\n";
 }
 
 }
@@ -49,11 +99,17 @@ void meshSurface(const Arguments& args)
 extern "C" int runOnDevice(int argc, char** argv)
 {
     using namespace shizuku;
+    std::string words;
+    for (const std::string& word : SurfaceFormatTable::words()) words += (words.empty() ? "" : ", ") + word;
     ApplicationInfo info
     {
         .name = "meshSurface",
         .summary = "Mesh the liquid's surface by marching cubes.",
-        .options = {{"device", "auto|cuda|cpu", "where to compute; auto takes a GPU where there is one", "auto"}}
+        .options =
+        {
+            {"device", "auto|cuda|cpu", "where to compute; auto takes a GPU where there is one", "auto"},
+            {"formats", "LIST", "of " + words + ", e.g. \"(ply stl)\"; default: those of system/meshSurfaceDict, or ply", ""}
+        }
     };
     for (const Option& option : timeSelectionOptions()) info.options.push_back(option);
     return runApplication(argc, argv, info, meshSurface);

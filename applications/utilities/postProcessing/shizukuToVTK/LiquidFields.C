@@ -1,9 +1,6 @@
 #include "LiquidFields.H"
 
-#include <algorithm>
-#include <iterator>
 #include <set>
-#include <sstream>
 
 namespace shizuku
 {
@@ -23,14 +20,6 @@ std::set<std::string> namesIn(const std::filesystem::path& folder)
     return names;
 }
 
-}
-
-std::vector<std::string> fieldNames(const std::string& list)
-{
-    std::string text = list;
-    std::replace_if(text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
-    std::istringstream words(text);
-    return {std::istream_iterator<std::string>(words), {}};
 }
 
 LiquidFields::LiquidFields

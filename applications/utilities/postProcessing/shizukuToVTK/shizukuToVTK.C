@@ -73,7 +73,7 @@ void convert(const Arguments& args)
     const double spacing = readSpacing(args.casePath());
     const VtkEncoding encoding = vtkEncodingFrom(args.get("format"));
     std::optional<std::vector<std::string>> wanted;
-    if (args.found("fields")) wanted = fieldNames(args.get("fields"));
+    if (args.found("fields")) wanted = args.getList("fields");
     const LiquidFields fields(times, wanted);
 
     VtkSeries liquid(args.casePath(), "liquid", encoding);

@@ -1,0 +1,94 @@
+// meshSurface's meshes as another library sees them: CGAL.
+
+#include "SolverCase.H"
+
+#include "geometry/PlyFile.H"
+#include "geometry/VectorField.H"
+#include "support/PointSets.H"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <numbers>
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+class MeshTopology : public SolverCase
+{
+protected:
+    // meshSurface on particles at these places, in spacings.
+    Mesh meshOf(const std::vector<Vector3>& places) const
+    {
+        std::vector<Vector3> positions;
+        for (const Vector3& p : places) positions.push_back(spacing*p);
+        writeField(path()/"0/liquid/positions", toField("positions", dimensions::length, positions), {.binary = true});
+        const Outcome outcome = call("meshSurface", "-time 0");
+        EXPECT_EQ(outcome.status, 0) << outcome.text;
+
+        const TriangleMesh read = readPly(path()/"0/surface/liquid.ply");
+        std::vector<Point> points;
+        for (const Vector3& v : read.vertices) points.emplace_back(v.x, v.y, v.z);
+        std::vector<std::array<std::size_t, 3>> faces;
+        for (const auto& [i, j, k] : read.faces) faces.push_back({std::size_t(i), std::size_t(j), std::size_t(k)});
+        // Manifold, and neighbours run along their edge in opposite directions: else it is no polygon mesh to CGAL.
+        EXPECT_TRUE(PMP::is_polygon_soup_a_polygon_mesh(faces));
+        Mesh mesh;
+        PMP::polygon_soup_to_polygon_mesh(points, faces, mesh);
+        EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+        EXPECT_TRUE(CGAL::is_triangle_mesh(mesh));
+        EXPECT_TRUE(CGAL::is_closed(mesh));
+        return mesh;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Devices, MeshTopology, testing::ValuesIn(devices()));
+
+}
+
+// A half sphere of 2000 particles: one closed surface that looks outward, does not meet itself and holds the particles'
+// volume within 1 %.
+TEST_P(MeshTopology, ofADrop)
+{
+    const double radius = std::cbrt(3*2000/(2*std::numbers::pi));
+    std::vector<Vector3> places;
+    for (int i = -12; i < 12; ++i)
+    {
+        for (int j = -12; j < 12; ++j)
+        {
+            for (int k = 0; k < 12; ++k)
+            {
+                const Vector3 p(i + 0.3, j + 0.6, k + 0.5);
+                if (length(p) < radius) places.push_back(p);
+            }
+        }
+    }
+    const Mesh mesh = meshOf(places);
+    EXPECT_TRUE(PMP::is_outward_oriented(mesh));
+    EXPECT_FALSE(PMP::does_self_intersect(mesh));
+    EXPECT_NEAR(PMP::volume(mesh)/(places.size()*spacing*spacing*spacing), 1, 0.01);
+}
+
+// Scattered, torn liquid of one to twenty particles: every case of cells, and still surfaces that bound a volume.
+TEST_P(MeshTopology, ofSpray)
+{
+    std::vector<Vector3> places;
+    for (const Vec3& p : randomPoints(1500, {0, 0, 0}, {14, 14, 14})) places.emplace_back(p.x, p.y, p.z);
+    const Mesh mesh = meshOf(places);
+    EXPECT_GT(mesh.number_of_faces(), 10000u);
+    EXPECT_GT(PMP::volume(mesh), 0);
+}
+
+}
