@@ -75,6 +75,7 @@ TEST_P(MeshSurface, writesTheFormatsAskedFor)
     ASSERT_EQ(call("meshSurface", "-time 0 -formats '(stl obj)'").status, 0);
     EXPECT_TRUE(exists("0/surface/liquid.stl") && exists("0/surface/liquid.obj"));
     EXPECT_FALSE(exists("0/surface/liquid.ply"));
+    expectMeshRefusal({"Option -time has the value 'abc'", "a range A:B"}, "-time abc");
     write("system/meshSurfaceDict", "formats (ply obj);");
     const Outcome outcome = call("meshSurface", "-time 0.001");
     ASSERT_EQ(outcome.status, 0) << outcome.text;
@@ -87,9 +88,9 @@ TEST_P(MeshSurface, badInputIsRefused)
 {
     expectMeshRefusal({"Unknown surface format", "'plyy'", "Did you mean 'ply'", "obj", "stl"}, "-formats '(stl plyy)'");
     expectMeshRefusal({"No format is chosen", "ply", "stl"}, "-formats '()'");
+    expectMeshRefusal({"Option -time has the value 'abc'", "a range A:B"}, "-time abc");
     write("system/meshSurfaceDict", "formats (ply\nst);");
     expectMeshRefusal({"'st'", "system/meshSurfaceDict at line 1", "stl"});
-    expectMeshRefusal({"Option -time has the value 'abc'", "a range A:B"}, "-time abc");
     write("system/meshSurfaceDict", "\ncell 0;");
     expectMeshRefusal({"cell", "system/meshSurfaceDict at line 2", "0.1 to 2"});
     write("system/meshSurfaceDict", "cel 0.5;");
