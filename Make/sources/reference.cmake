@@ -2,4 +2,5 @@
 set(SHIZUKU_REFERENCE_SOURCES
     reference/BashforthAdams.C
     reference/DropOscillation.C
+    reference/TubeMeniscus.C
 )

@@ -1,0 +1,87 @@
+// type gravityDrop;  theta 60;  within 2;
+// Height and largest radius of a drop on the wall z = 0 under gravity against the profile of Bashforth and Adams of its
+// volume, in percent. The radius is that of the drop seen from above: the contact radius up to 90 degrees. Measured on
+// the mesh of the latest time. profile.csv holds the measured outline, radius by height, beside the exact one.
+
+#include "Comparison.H"
+#include "core/fieldFile/CsvFile.H"
+#include "reference/BashforthAdams.H"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace shizuku
+{
+
+class GravityDropComparison : public Comparison
+{
+public:
+    explicit GravityDropComparison(const Dictionary& dict)
+    : theta_(dict.lookup<double>("theta")), within_(dict.lookupPositive("within", dimensions::none)) {}
+
+    std::vector<ComparisonRow> compare(const CaseResults& results) const override
+    {
+        const double l = std::sqrt(results.sigma/(results.rho*results.gravity));
+        const DropProfile exact = bashforthAdamsOfVolume(results.liquidVolume(), l, theta_);
+        double widest = 0;
+        for (const DropProfilePoint& point : exact.points) widest = std::max(widest, point.x);
+
+        const CsvTable drops = results.table("probeAngle", "angle.csv");
+        const std::size_t last = drops.rows() - 1;
+        const double height = drops.number(last, "height");
+        const double radius = std::sqrt(drops.number(last, "coveredArea")/std::numbers::pi);
+        writeProfile(results, exact);
+        return
+        {
+            relativeRow("height", "m", exact.height(), height, within_),
+            relativeRow("largest radius", "m", widest, radius, within_),
+            relativeRow("height of a puddle", "m", 2*l*std::sin(theta_*std::numbers::pi/360), height, std::nan(""))
+        };
+    }
+
+private:
+    // Mean distance of the mesh's vertices from the drop's axis, in slices half a spacing thick, from one spacing above
+    // the wall: below are the vertices of the drop's foot.
+    static void writeProfile(const CaseResults& results, const DropProfile& exact)
+    {
+        const TriangleMesh mesh = results.surface(results.times().back());
+        const Vector3 axis = mesh.centroid();
+        std::vector<double> sum, count;
+        for (const Vector3& x : mesh.vertices)
+        {
+            const long slice = long(std::floor(x.z/(0.5*results.spacing)));
+            if (slice < 2) continue;
+            if (std::size_t(slice) >= sum.size())
+            {
+                sum.resize(slice + 1);
+                count.resize(slice + 1);
+            }
+            sum[slice] += std::hypot(x.x - axis.x, x.y - axis.y);
+            ++count[slice];
+        }
+        const std::size_t rows = std::max(sum.size(), exact.points.size());
+        const double none = std::nan("");
+        CsvFile profile
+        (
+            results.casePath()/"postProcessing/compareReference/profile.csv",
+            {{"radius", "m"}, {"height", "m"}, {"exactRadius", "m"}, {"exactHeight", "m"}}
+        );
+        for (std::size_t i = 0; i < rows; ++i)
+        {
+            const bool measured = i < sum.size() && count[i] > 0, known = i < exact.points.size();
+            profile.addRow
+            ({
+                measured ? sum[i]/count[i] : none, measured ? (double(i) + 0.5)*0.5*results.spacing : none,
+                known ? exact.points[i].x : none, known ? exact.height() - exact.points[i].z : none
+            });
+        }
+        profile.write();
+    }
+
+    double theta_, within_;
+};
+
+static const ComparisonTable::Add<GravityDropComparison> registered{"gravityDrop"};
+
+}

@@ -1,0 +1,48 @@
+// type laplace;  within 2;
+// The pressure inside of a free drop against Laplace's jump 2 sigma/R, in percent: the mean of the field p [Pa] over the
+// particles within 0.6 R of the drop's centre, over the written times of the second half of the run. Not measured (nan)
+// where the pressure model writes no p.
+
+#include "Comparison.H"
+#include "core/fieldFile/FieldFile.H"
+
+#include <cmath>
+
+namespace shizuku
+{
+
+class LaplaceComparison : public Comparison
+{
+public:
+    explicit LaplaceComparison(const Dictionary& dict) : within_(dict.lookupPositive("within", dimensions::none)) {}
+
+    std::vector<ComparisonRow> compare(const CaseResults& results) const override
+    {
+        double sum = 0;
+        long count = 0;
+        for (const TimeFolder& time : results.times())
+        {
+            const std::filesystem::path file = time.path/"liquid/p";
+            if (time.value < 0.5*results.times().back().value || !std::filesystem::exists(file)) continue;
+            const std::vector<Vector3> positions = results.positions(time);
+            const FieldData p = readField(file, FieldType::scalar, dimensions::pressure, long(positions.size()));
+            Vector3 centre{0, 0, 0};
+            for (const Vector3& x : positions) centre = centre + (1.0/double(positions.size()))*x;
+            for (std::size_t i = 0; i < positions.size(); ++i)
+            {
+                if (length(positions[i] - centre) > 0.6*results.radius()) continue;
+                sum += p(i);
+                ++count;
+            }
+        }
+        const double measured = count > 0 ? sum/double(count) : std::nan("");
+        return {relativeRow("pressure jump", "Pa", 2*results.sigma/results.radius(), measured, within_)};
+    }
+
+private:
+    double within_;
+};
+
+static const ComparisonTable::Add<LaplaceComparison> registered{"laplace"};
+
+}
