@@ -94,6 +94,37 @@ struct KeepOutside
     }
 };
 
+// The layer's height below a liquid particle is the average over the solid particles around it, r.n weighted by distance
+// (B. Adams and M. Wicke, Eurographics tutorial 2009). Where their normals cancel, in a plate as thin as the layer itself,
+// no side is the inner one; where none of them is below the particle, it is beside the layer's border.
+struct KeepBeforeLayer
+{
+    WallParticlesView wall;
+    float support, spacing;
+    Span<Vec3> predicted;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 x = predicted[i];
+        float weights = 0, height = 0, aside = spacing * spacing;
+        Vec3 normal;
+        wall.near.forEach(i, [&](int k)
+        {
+            const Vec3 r = x - wall.position[k], n = wall.normal[k];
+            const float q = 1 - squared(r) / (support * support);
+            if (q <= 0) return;
+            const float along = dot(r, n);
+            weights += q * q * q;
+            height += q * q * q * along;
+            normal += q * q * q * n;
+            aside = fminf(aside, squared(r) - along * along);
+        });
+        if (aside >= spacing * spacing) return;
+        const float lacking = 0.25f * spacing - height / weights, agreement = norm(normal) / weights;
+        if (lacking > 0 && agreement > 0.5f) predicted[i] += lacking / norm(normal) * normal;
+    }
+};
+
 }
 
 Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liquid& liquid)
@@ -217,6 +248,13 @@ void Walls::project(Liquid& liquid) const
     if (surfaces_.count > 0)
     {
         forEach(liquid.owned(), KeepOutside{surfaces_, 0.5f * liquid.spacing(), liquid.predicted.span()});
+    }
+    if (solid_.all() > 0)
+    {
+        forEach
+        (
+            liquid.owned(), KeepBeforeLayer{view().particles, liquid.support(), liquid.spacing(), liquid.predicted.span()}
+        );
     }
 }
 
