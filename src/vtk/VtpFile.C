@@ -8,12 +8,16 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataWriter.h>
+
+#include <sstream>
 
 namespace shizuku
 {
@@ -25,6 +29,21 @@ const std::vector<std::pair<std::string, VtkEncoding>> encodings
 {
     {"ascii", VtkEncoding::ascii}, {"binary", VtkEncoding::binary}, {"appended", VtkEncoding::appended}
 };
+
+// "m s^-1"; empty where there is none.
+std::string unitOf(const Dimensions& dimensions)
+{
+    static constexpr std::array<const char*, 7> names{"kg", "m", "s", "K", "mol", "A", "cd"};
+    std::ostringstream text;
+    for (std::size_t k = 0; k < names.size(); ++k)
+    {
+        const double exponent = dimensions.exponents[k];
+        if (exponent == 0) continue;
+        text << (text.tellp() > 0 ? " " : "") << names[k];
+        if (exponent != 1) text << '^' << exponent;
+    }
+    return text.str();
+}
 
 template<class Array> vtkSmartPointer<vtkDataArray> arrayOf(const FieldData& field, vtkIdType points)
 {
@@ -56,6 +75,8 @@ void addPointField(vtkPolyData& data, const FieldData& field)
     const auto array = field.type == FieldType::label
         ? arrayOf<vtkIntArray>(field, points)
         : arrayOf<vtkFloatArray>(field, points);
+    const std::string unit = unitOf(field.dimensions);
+    if (!unit.empty()) array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit.c_str());
     if (field.name == "normals") data.GetPointData()->SetNormals(array);
     else data.GetPointData()->AddArray(array);
 }

@@ -1,8 +1,12 @@
 #include "DropCase.H"
 
+#include "support/VtkReading.H"
+
 #include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/xml_parser.hpp>
 
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
@@ -83,6 +87,38 @@ TEST_F(DropCase, ShizukuToVtkWritesAnimations)
     EXPECT_TRUE(holds(read("VTK/solid/solid_0.vtp"), {"\"theta\"", "\"patch\"", "\"normals\""}));
 }
 
+// Each file of each animation, opened by VTK's reader: no warning, and the time that the animation gives it (what lies still
+// may be older).
+TEST_F(DropCase, VtkReadsEveryFileWithItsTime)
+{
+    writeTime("0", {drop(90)});
+    writeTime("0.01", {drop(70)});
+    writeTime("0.025", {drop(60)});
+    for (const std::string format : {"ascii", "binary", "appended"})
+    {
+        if (format == "appended" && !readsAppended()) continue;
+        ASSERT_EQ(call("shizukuToVTK", "-format " + format).status, 0);
+        for (const std::string name : {"liquid", "surface", "solid"})
+        {
+            boost::property_tree::ptree pvd;
+            boost::property_tree::read_xml((path()/("VTK/" + name + ".pvd")).string(), pvd);
+            std::vector<double> times;
+            for (const auto& [element, set] : pvd.get_child("VTKFile.Collection"))
+            {
+                times.push_back(set.get<double>("<xmlattr>.timestep"));
+                const auto data = readVtp(path()/"VTK"/set.get<std::string>("<xmlattr>.file"));
+                EXPECT_GT(data->GetNumberOfPoints(), 0);
+                const double time = data->GetFieldData()->GetArray("TimeValue")->GetTuple1(0);
+                EXPECT_DOUBLE_EQ(time, name == "solid" ? 0 : times.back());
+                EXPECT_DOUBLE_EQ(data->GetFieldData()->GetArray("particleSpacing")->GetTuple1(0), spacing);
+                EXPECT_EQ(data->GetPointData()->HasArray("U"), name == "liquid");
+                EXPECT_EQ(data->GetPointData()->HasArray("theta"), name == "solid");
+            }
+            EXPECT_EQ(times, (std::vector<double>{0, 0.01, 0.025}));
+        }
+    }
+}
+
 TEST_F(DropCase, ShizukuToVtkTakesFieldsTimesAndFormats)
 {
     writeTime("0", {drop(90)}, false);
@@ -108,8 +144,26 @@ TEST_F(DropCase, ShizukuToVtkTakesFieldsTimesAndFormats)
     EXPECT_TRUE(holds(unknown.text, {"vorticity", "U", "id"}));
     EXPECT_NE(call("shizukuToVTK", "-format xml").status, 0);
 
+}
+
+TEST_F(DropCase, ShizukuToVtkRefusesBadInput)
+{
+    const auto expectRefusal = [&](const std::vector<std::string>& parts)
+    {
+        const Outcome outcome = call("shizukuToVTK");
+        EXPECT_NE(outcome.status, 0);
+        EXPECT_TRUE(holds(outcome.text, parts)) << outcome.text;
+        EXPECT_FALSE(fs::exists(path()/"VTK/liquid.pvd"));
+    };
+    fs::remove_all(path()/"constant/solid");
+    expectRefusal({"nothing to convert"});
+
+    writeTime("0.01", {drop(70)});
     write("0.01/liquid/U", "nonsense");
-    EXPECT_NE(call("shizukuToVTK").status, 0);
+    expectRefusal({"0.01/liquid/U"});
+    fs::remove(path()/"0.01/liquid/U");
+    write("0.01/surface/liquid.ply", "ply\nformat ascii 1.0\n");
+    expectRefusal({"0.01/surface/liquid.ply"});
 }
 
 TEST_F(DropCase, RenderCaseShowsTheSurfaceAsWater)

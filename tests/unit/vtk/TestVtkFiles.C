@@ -2,8 +2,10 @@
 // Appended .vtp files are decoded here (AppendedVtp.H), because not every VTK reads them.
 
 #include "AppendedVtp.H"
+#include "geometry/surfaceFormats/SurfaceFormat.H"
 #include "support/CapMesh.H"
 #include "support/ScratchFolder.H"
+#include "support/VtkReading.H"
 #include "vtk/VtkSeries.H"
 #include "vtk/VtpFile.H"
 
@@ -13,26 +15,18 @@
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkNew.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
+#include <vtkOBJReader.h>
+#include <vtkPLYReader.h>
 #include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkXMLPolyDataReader.h>
+#include <vtkSTLReader.h>
 
 using namespace shizuku;
 using namespace shizuku::test;
 
 namespace
 {
-
-vtkSmartPointer<vtkPolyData> readBack(const std::filesystem::path& file)
-{
-    vtkNew<vtkXMLPolyDataReader> reader;
-    EXPECT_TRUE(reader->CanReadFile(file.c_str()));
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    EXPECT_EQ(reader->GetErrorCode(), 0u);
-    return reader->GetOutput();
-}
 
 VtpContent particles(int n = 1000)
 {
@@ -52,14 +46,21 @@ VtpContent particles(int n = 1000)
 
 }
 
-class VtpEncoding : public testing::TestWithParam<std::string> {};
+class VtpEncoding : public testing::TestWithParam<std::string>
+{
+protected:
+    void SetUp() override
+    {
+        if (GetParam() == "appended" && !readsAppended()) GTEST_SKIP() << "this VTK cannot read appended data";
+    }
+};
 
 TEST_P(VtpEncoding, ParticlesComeBack)
 {
     const ScratchFolder folder;
     const VtpContent content = particles();
     writeVtp(folder.path()/"p.vtp", content, vtkEncodingFrom(GetParam()));
-    const auto data = readBack(folder.path()/"p.vtp");
+    const auto data = readVtp(folder.path()/"p.vtp");
 
     ASSERT_EQ(data->GetNumberOfPoints(), 1000);
     EXPECT_EQ(data->GetNumberOfVerts(), 1000);
@@ -81,6 +82,9 @@ TEST_P(VtpEncoding, ParticlesComeBack)
         EXPECT_EQ(id->GetTuple1(i), 16777217 + i);
         EXPECT_EQ(density->GetTuple1(i), 998);
     }
+    EXPECT_EQ(std::string(u->GetInformation()->Get(vtkDataArray::UNITS_LABEL())), "m s^-1");
+    EXPECT_EQ(std::string(density->GetInformation()->Get(vtkDataArray::UNITS_LABEL())), "kg m^-3");
+    EXPECT_FALSE(id->GetInformation()->Has(vtkDataArray::UNITS_LABEL()));
     // Field data are doubles; VTK's text keeps eleven digits of them.
     EXPECT_NEAR(data->GetFieldData()->GetArray("TimeValue")->GetTuple1(0), 0.3, 1e-11);
     EXPECT_NEAR(data->GetFieldData()->GetArray("particleSpacing")->GetTuple1(0), 1.28e-4, 1e-15);
@@ -92,7 +96,7 @@ TEST_P(VtpEncoding, MeshesComeBackWithTheirNormals)
     TriangleMesh mesh = icosphereMesh(2);
     mesh.normals = mesh.vertices;
     writeVtp(folder.path()/"m.vtp", vtpOf(mesh), vtkEncodingFrom(GetParam()));
-    const auto data = readBack(folder.path()/"m.vtp");
+    const auto data = readVtp(folder.path()/"m.vtp");
 
     ASSERT_EQ(data->GetNumberOfPolys(), vtkIdType(mesh.faces.size()));
     EXPECT_EQ(data->GetNumberOfVerts(), 0);
@@ -112,10 +116,10 @@ TEST_P(VtpEncoding, NoParticlesAreWrittenToo)
 {
     const ScratchFolder folder;
     writeVtp(folder.path()/"none.vtp", {}, vtkEncodingFrom(GetParam()));
-    EXPECT_EQ(readBack(folder.path()/"none.vtp")->GetNumberOfPoints(), 0);
+    EXPECT_EQ(readVtp(folder.path()/"none.vtp")->GetNumberOfPoints(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Encodings, VtpEncoding, testing::Values("ascii", "binary"));
+INSTANTIATE_TEST_SUITE_P(Encodings, VtpEncoding, testing::Values("ascii", "binary", "appended"));
 
 TEST(AppendedVtp, HoldsTheParticles)
 {
@@ -180,6 +184,28 @@ TEST(AppendedVtp, HoldsNoParticles)
     const ScratchFolder folder;
     writeVtp(folder.path()/"none.vtp", {}, VtkEncoding::appended);
     EXPECT_TRUE(readAppendedVtp(folder.read("none.vtp")).at("Points/Points").values.empty());
+}
+
+// meshSurface's formats.
+TEST(SurfaceFormats, AreWhatVtkReads)
+{
+    const ScratchFolder folder;
+    TriangleMesh mesh = icosphereMesh(1);
+    mesh.normals = mesh.vertices;
+    const std::map<std::string, vtkSmartPointer<vtkPolyData> (*)(const std::filesystem::path&)> readers
+    {
+        {"vtp", readVtp}, {"stl", readByVtk<vtkSTLReader>}, {"obj", readByVtk<vtkOBJReader>}, {"ply", readByVtk<vtkPLYReader>}
+    };
+    for (const auto& [word, read] : readers)
+    {
+        const auto file = folder.path()/("liquid." + word);
+        SurfaceFormatTable::New("surface format", word, {})->write(file, mesh);
+        const auto data = read(file);
+        // VTK joins the corners of STL facets where they coincide.
+        EXPECT_EQ(data->GetNumberOfPolys(), vtkIdType(mesh.faces.size())) << word;
+        EXPECT_EQ(data->GetNumberOfPoints(), vtkIdType(mesh.vertices.size())) << word;
+        EXPECT_EQ(data->GetPointData()->GetNormals() != nullptr, word != "stl") << word;
+    }
 }
 
 TEST(VtpFile, BinaryAndAppendedFilesAreCompressed)
@@ -253,7 +279,7 @@ TEST(VtkSeries, AnimationNamesEveryFileWithItsTime)
     }
     EXPECT_EQ(n, times.size());
 
-    const auto last = readBack(folder.path()/"VTK/solid/solid_2.vtp");
+    const auto last = readVtp(folder.path()/"VTK/solid/solid_2.vtp");
     EXPECT_NEAR(last->GetFieldData()->GetArray("TimeValue")->GetTuple1(0), 0.3, 1e-15);
     EXPECT_EQ(last->GetFieldData()->GetArray("particleSpacing")->GetTuple1(0), 1.28e-4);
 }

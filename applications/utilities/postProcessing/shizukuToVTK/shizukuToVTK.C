@@ -1,4 +1,12 @@
 // Converts a case to .vtp files and animations for ParaView: the liquid's particles, its surface, the solid particles.
+//
+//     VTK/liquid/liquid_<index>.vtp       particles: U [m/s], id, and every other field of <time>/liquid in its SI unit
+//     VTK/surface/surface_<index>.vtp     mesh of meshSurface, with normals
+//     VTK/solid/solid_<index>.vtp         solid particles: normals out of the solid, patch (its number), theta [degrees]
+//     VTK/<name>.pvd, <name>.vtp.series   the animations
+//
+// Coordinates are in metres; every file has the field data TimeValue [s] and particleSpacing [m]. <index> counts the case's
+// times, whichever are selected.
 
 #include "LiquidFields.H"
 
