@@ -35,6 +35,7 @@ set(SHIZUKU_CORE_SOURCES
     core/messages/Error.C
     core/messages/Progress.C
     core/time/Controls.C
+    core/time/Schedule.C
     core/time/Time.C
     core/time/TimeFolders.C
     core/time/TimeName.C

@@ -41,7 +41,13 @@ set(SHIZUKU_DEVICE_SOURCES
     surface/LiquidSurface.C
     surface/CaseSurface.C
     functionObjects/FlowView.C
+    functionObjects/FunctionControl.C
     functionObjects/FunctionObjects.C
+    functionObjects/contactAngle/ContactAngleTable.C
+    functionObjects/energy/Energy.C
     functionObjects/liquidState/LiquidStateTable.C
+    functionObjects/probes/Probes.C
+    functionObjects/spreadDiameter/SpreadDiameter.C
     functionObjects/stepTime/StepTime.C
+    functionObjects/volume/Volume.C
 )

@@ -4,7 +4,10 @@ set(SHIZUKU_DEVICE_TESTS
     device/TestBuffer.C
     device/TestForEach.C
     device/TestReduce.C
+    functionObjects/TestDropObjects.C
+    functionObjects/TestFunctionControl.C
     functionObjects/TestFunctionObjects.C
+    functionObjects/TestProbes.C
     maths/TestKernel.C
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C

@@ -16,6 +16,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/UnitVector.C
     geometry/Vector3.C
     geometry/WallPlane.C
+    geometry/WettedSurface.C
     geometry/drops/DropMeasurement.C
     geometry/drops/DropNumbers.C
     geometry/drops/DropTable.C

@@ -20,7 +20,7 @@ namespace
 class @class@ : public FunctionObject
 {
 public:
-    @class@(const Dictionary&, const std::filesystem::path& folder)
+    @class@(const Dictionary&, FlowView&, const std::filesystem::path& folder)
     :
         table_(folder / "@word@.csv", {{"time", "s"}, {"distance", "m"}})
     {}

@@ -1,6 +1,7 @@
 #include "functionObjects/FlowView.H"
 
 #include "models/density/Density.H"
+#include "surface/CaseSurface.H"
 
 namespace shizuku
 {
@@ -26,10 +27,40 @@ const LiquidState& FlowView::state()
     return *state_;
 }
 
-void FlowView::moved()
+const std::vector<Vector3>& FlowView::positions()
 {
+    if (positions_) return *positions_;
+    positions_.emplace();
+    const std::vector<Vec3> scaled = liquid_.position.download();
+    const double unit = liquid_.units().length;
+    for (int i = 0; i < liquid_.owned(); ++i)
+    {
+        positions_->push_back({scaled[i].x * unit, scaled[i].y * unit, scaled[i].z * unit});
+    }
+    return *positions_;
+}
+
+void FlowView::requireSurface()
+{
+    if (!mesher_) mesher_.emplace(readSurfaceParameters(time.casePath(), liquid_.spacing()));
+}
+
+const TriangleMesh& FlowView::surface()
+{
+    if (surface_) return *surface_;
+    requireSurface();
+    const Span<const Vec3> owned{liquid_.position.span().data, liquid_.owned()};
+    surface_ = toTriangleMesh(mesher_->extract(owned), liquid_.units().length);
+    return *surface_;
+}
+
+void FlowView::moved(double dt)
+{
+    dt_ = dt;
     densityIsDue_ = true;
     state_.reset();
+    positions_.reset();
+    surface_.reset();
 }
 
 }

@@ -3,18 +3,23 @@
 namespace shizuku
 {
 
-FunctionObjects::FunctionObjects(const Time& time, bool enabled)
+FunctionObjects::FunctionObjects(FlowView& flow, bool enabled)
 {
+    const Time& time = flow.time;
     const Dictionary functions = time.controlDict().subDictOrEmpty("functions");
     if (!enabled) return;
     for (const std::string& name : functions.dictKeys())
     {
         const Dictionary dict = functions.subDict(name);
-        objects_.push_back(FunctionObjectTable::New
+        auto object = FunctionObjectTable::New
         (
-            "functionObject", dict.lookup<std::string>("type"), dict.where("type"), dict,
+            "functionObject", dict.lookup<std::string>("type"), dict.where("type"), dict, flow,
             time.casePath() / "postProcessing" / name / time.name()
-        ));
+        );
+        entries_.push_back
+        ({
+            std::move(object), FunctionControl::execute(dict, time.deltaT()), FunctionControl::write(dict, time.deltaT())
+        });
         dict.refuseUnused();
     }
     functions.refuseUnused();           // a value is no function object, unless a macro takes it
@@ -22,12 +27,28 @@ FunctionObjects::FunctionObjects(const Time& time, bool enabled)
 
 void FunctionObjects::execute(FlowView& flow)
 {
-    for (const auto& object : objects_) object->execute(flow);
+    for (Entry& entry : entries_)
+    {
+        if (!entry.executeControl.due(flow.time)) continue;
+        entry.object->execute(flow);
+        entry.unwritten = true;
+    }
 }
 
-void FunctionObjects::write()
+void FunctionObjects::write(const Time& time)
 {
-    for (const auto& object : objects_) object->write();
+    for (Entry& entry : entries_)
+    {
+        const bool due = entry.writeControl.due(time) || !time.running();
+        if (!due || !entry.unwritten) continue;
+        entry.object->write();
+        entry.unwritten = false;
+    }
+}
+
+void FunctionObjects::modelsChanged(FlowView& flow)
+{
+    for (Entry& entry : entries_) entry.object->modelsChanged(flow);
 }
 
 }

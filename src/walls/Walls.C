@@ -238,6 +238,19 @@ void Walls::requireContactAngles()
     }
 }
 
+std::optional<WallCosines> Walls::cosines() const
+{
+    if (!cosTheta_) return {};
+    WallCosines cosines;
+    for (int a = 0; a < surfaces_.count; ++a) cosines.surfaces.push_back(surfaces_.surface[a].cosTheta);
+    if (!sampled_) return cosines;
+    const auto order = order_.download();
+    const auto sorted = cosTheta_->download();
+    cosines.particles.resize(sorted.size());
+    for (std::size_t k = 0; k < sorted.size(); ++k) cosines.particles[order[k]] = sorted[k];
+    return cosines;
+}
+
 void Walls::update(const Liquid& liquid)
 {
     if (solid_.all() > 0) near_->build(liquid.predicted.span(), liquid.owned(), *grid_, position_->span(), false);

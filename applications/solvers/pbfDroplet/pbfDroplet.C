@@ -33,16 +33,16 @@ void pbfDroplet(const Arguments& args)
     Walls walls(args.casePath(), time.value(), liquid);
     Models models(args.casePath(), solution, liquid, walls);
     StepControl control(time.controlDict());
-    FunctionObjects functions(time, !args.found("noFunctionObjects"));
+    Neighbourhood near(liquid);
+    FlowView flow(time, liquid, near, walls, models);
+    FunctionObjects functions(flow, !args.found("noFunctionObjects"));
     solution.refuseUnused();
     liquidDict.refuseUnused();
 
     liquid.read(time.path());
     if (time.index() == 0) walls.refuseLiquidInside(liquid);
-    Neighbourhood near(liquid);
     SpeedMeter meter;
     Speeds speeds = meter.measure(liquid);
-    FlowView flow(time, liquid, near, walls, models);
     std::cout << "Liquid particles " << liquid.owned() << ", solid particles " << walls.particles()
               << ", analytic surfaces " << walls.surfaces() << std::endl;
 
@@ -64,7 +64,7 @@ void pbfDroplet(const Arguments& args)
         speeds = meter.measure(liquid);
         refuseDivergence(time, steps, liquid.properties().spacing, speeds, lastWritten);
 
-        flow.moved();
+        flow.moved(steps.dt);
         functions.execute(flow);
         if (time.reportDue()) reportStep(steps, flow);
         if (time.writeDue())
@@ -73,11 +73,10 @@ void pbfDroplet(const Arguments& args)
             {
                 writeParticles(flow.liquid(), liquid.units(), folder / liquid.name(), time.format());
             });
-            functions.write();
             lastWritten = time.path();
         }
+        functions.write(time);
     }
-    functions.write();
 }
 
 }

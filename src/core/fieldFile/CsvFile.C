@@ -3,6 +3,7 @@
 #include "core/fieldFile/AtomicFile.H"
 
 #include <charconv>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -14,6 +15,7 @@ namespace
 
 std::string cellText(double value)
 {
+    if (std::isnan(value)) return "nan";            // whatever its sign
     char text[32];
     const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 9).ptr;
     return {text, end};

@@ -41,26 +41,6 @@ double readFiniteTime(const Dictionary& dict, const std::string& key)
     return value;
 }
 
-// writeInterval: steps of timeStep, seconds of the others.
-double readWriteInterval(const Dictionary& dict, WriteControl control, double deltaT)
-{
-    const std::string key = "writeInterval";
-    if (control == WriteControl::timeStep) return readInteger(dict, key, 0, 1, std::numeric_limits<int>::max());
-
-    const double interval = dict.lookupPositive(key, dimensions::time);
-    const double steps = interval / deltaT;
-    if (control == WriteControl::adjustableRunTime && std::abs(steps - std::round(steps)) > 1e-6 * steps)
-    {
-        throw FatalInputError
-        (
-            dict.where(key), "writeInterval is " + std::to_string(steps) + " times deltaT",
-            "a whole number of deltaT with writeControl adjustableRunTime: deltaT is never shortened to meet a "
-            "time of writing; writeControl runTime writes at the nearest step"
-        );
-    }
-    return interval;
-}
-
 // Keywords of OpenFOAM that mean nothing here, and why.
 void refuseForeign(const Dictionary& dict)
 {
@@ -119,9 +99,10 @@ Controls readControls(const Dictionary& dict)
     controls.stopAt = choose<StopAt>(dict, "stopAt", {"endTime", "writeNow", "noWriteNow", "nextWrite"}, "endTime");
     controls.endTime = readFiniteTime(dict, "endTime");
     controls.deltaT = dict.lookupPositive("deltaT", dimensions::time);
-    controls.writeControl =
-        choose<WriteControl>(dict, "writeControl", {"timeStep", "runTime", "adjustableRunTime"}, "timeStep");
-    controls.writeInterval = readWriteInterval(dict, controls.writeControl, controls.deltaT);
+    controls.write = readSchedule
+    (
+        dict, "write", dict.lookupChoiceOr("writeControl", scheduleWords(), "timeStep"), controls.deltaT
+    );
     controls.purgeWrite = readInteger(dict, "purgeWrite", 0, 0, std::numeric_limits<int>::max());
     controls.format.binary = dict.lookupChoiceOr("writeFormat", {"ascii", "binary"}, "ascii") == "binary";
     controls.format.precision = readInteger(dict, "writePrecision", 9, 1, 17);

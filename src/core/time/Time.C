@@ -121,7 +121,7 @@ bool Time::running() const
         case StopAt::endTime: break;
         case StopAt::noWriteNow: return false;
         case StopAt::writeNow: return state_.index <= stopIndex_ && beforeEnd();
-        case StopAt::nextWrite: return !(state_.index > stopIndex_ && scheduled()) && beforeEnd();
+        case StopAt::nextWrite: return !(state_.index > stopIndex_ && due(controls_.write)) && beforeEnd();
     }
     return beforeEnd();
 }
@@ -138,25 +138,10 @@ void Time::advance()
     state_.value = state_.at(state_.index);
 }
 
-long Time::intervalsUntil(long step) const
-{
-    const double nearest = state_.at(step) + (0.5 + tolerance) * state_.deltaT;
-    return static_cast<long>(std::floor(nearest / controls_.writeInterval));
-}
-
-bool Time::scheduled() const
-{
-    if (controls_.writeControl == WriteControl::timeStep)
-    {
-        return state_.index % static_cast<long>(controls_.writeInterval) == 0;
-    }
-    return intervalsUntil(state_.index) > intervalsUntil(state_.index - 1);
-}
-
 bool Time::writeDue() const
 {
     if (state_.index == start_.index) return false;
-    return scheduled() || (!running() && controls_.stopAt != StopAt::noWriteNow);
+    return due(controls_.write) || (!running() && controls_.stopAt != StopAt::noWriteNow);
 }
 
 bool Time::reportDue() const

@@ -1,10 +1,6 @@
 // The liquid as a whole over time: volume, kinetic energy, largest speed, centroid, momentum, density error.
 //
-//     drop
-//     {
-//         type            liquidState;
-//         executeInterval 10;             // steps between rows; default 1
-//     }
+//     drop { type liquidState; }
 
 #include "core/fieldFile/CsvFile.H"
 #include "functionObjects/FunctionObject.H"
@@ -18,9 +14,8 @@ namespace
 class LiquidStateTable : public FunctionObject
 {
 public:
-    LiquidStateTable(const Dictionary& dict, const std::filesystem::path& folder)
+    LiquidStateTable(const Dictionary&, FlowView&, const std::filesystem::path& folder)
     :
-        interval_(dict.lookupOr("executeInterval", 1)),
         table_
         (
             folder / "liquidState.csv",
@@ -31,13 +26,10 @@ public:
                 {"averageDensityError", ""}, {"maxDensityError", ""}
             }
         )
-    {
-        if (interval_ < 1) throw FatalInputError(dict.where("executeInterval"), "executeInterval is not positive", "1 or more");
-    }
+    {}
 
     void execute(FlowView& flow) override
     {
-        if (flow.time.index() % interval_ != 0) return;
         const LiquidState& state = flow.state();
         const auto& x = state.centroid;
         const auto& m = state.momentum;
@@ -51,7 +43,6 @@ public:
     void write() override { table_.write(); }
 
 private:
-    long interval_;
     CsvFile table_;
 };
 

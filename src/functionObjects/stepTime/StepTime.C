@@ -2,8 +2,9 @@
 //
 //     timing { type stepTime; }
 //
-// A row a step: the simulated time and the milliseconds since the step before ended. The first step, which loads code
-// and allocates memory, has a row like any other: benchmarks leave it out as warm-up.
+// The simulated time and the milliseconds since the row before, without those of the tables that were written with it: to
+// be had each step and written with the fields, as is the default. The first step, which loads code and allocates memory,
+// has a row like any other: benchmarks leave it out as warm-up.
 
 #include "core/fieldFile/CsvFile.H"
 #include "functionObjects/FunctionObject.H"
@@ -19,7 +20,7 @@ namespace
 class StepTime : public FunctionObject
 {
 public:
-    StepTime(const Dictionary&, const std::filesystem::path& folder)
+    StepTime(const Dictionary&, FlowView&, const std::filesystem::path& folder)
     :
         table_(folder / "stepTime.csv", {{"time", "s"}, {"wall", "ms"}}), last_(Clock::now())
     {}

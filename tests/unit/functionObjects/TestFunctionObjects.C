@@ -26,7 +26,7 @@ TEST(FunctionObjects, LiquidStateMeasuresTheDensityOfItsRow)
 TEST(FunctionObjects, AValueAmongThemIsRefused)
 {
     const auto make = [] { FlowCase flow("drop liquidState;"); };
-    EXPECT_TRUE(holds(messageOf(make), {"'drop'", "functions", "controlDict at line 1"}));
+    EXPECT_TRUE(holds(messageOf(make), {"'drop'", "functions", "controlDict at line 2"}));
 }
 
 TEST(FunctionObjects, AValueForAMacroIsNot)

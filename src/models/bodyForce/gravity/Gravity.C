@@ -35,11 +35,10 @@ public:
                 dimensions::acceleration.str()
             );
         }
-        const auto g = dict.lookupDimensionedVector("value", dimensions::acceleration);
+        value_ = dict.lookupDimensionedVector("value", dimensions::acceleration);
         dict.refuseUnused();
-        magnitude_ = std::hypot(g[0], g[1], g[2]);
         const auto scaled = [&](double component) { return liquid.units().toScaled(component, dimensions::acceleration); };
-        g_ = {scaled(g[0]), scaled(g[1]), scaled(g[2])};
+        g_ = {scaled(value_[0]), scaled(value_[1]), scaled(value_[2])};
     }
 
     void apply(Liquid& liquid, float dt) override
@@ -47,11 +46,12 @@ public:
         forEach(liquid.owned(), Accelerate{dt * g_, liquid.velocity.span()});
     }
 
-    double acceleration() const override { return magnitude_; }
+    double acceleration() const override { return std::hypot(value_[0], value_[1], value_[2]); }
+    std::array<double, 3> uniform() const override { return value_; }
 
 private:
-    Vec3 g_;
-    double magnitude_;
+    std::array<double, 3> value_;       // m/s2
+    Vec3 g_;                            // scaled
 };
 
 const BodyForceTable::Add<Gravity> registered{"gravity"};

@@ -102,6 +102,15 @@ struct Correction
     }
 };
 
+struct AddPotential
+{
+    float relaxation;
+    Span<const float> multiplier;
+    Span<float> potential;
+
+    HOST_DEVICE void operator()(int i) const { potential[i] += relaxation * multiplier[i]; }
+};
+
 template<class Sum>
 struct Compression
 {
@@ -137,7 +146,7 @@ Pbf::Parameters readParameters(const Dictionary& dict, const Liquid& liquid)
 Pbf::Pbf(const Dictionary& dict, Liquid& liquid)
 :
     parameters_(readParameters(dict, liquid)),
-    multiplier_(liquid.fields().add<float>({.name = "multiplier", .dimensions = dimensions::none, .sorted = false, .exchanged = true}))
+    multiplier_(liquid.fields().require<float>({.name = "multiplier", .dimensions = dimensions::none, .sorted = false, .exchanged = true}))
 {}
 
 double Pbf::averageError(const Liquid& liquid)
@@ -148,6 +157,11 @@ double Pbf::averageError(const Liquid& liquid)
 bool Pbf::violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls)
 {
     if (iterations_ >= parameters_.maxIterations || liquid.owned() == 0) return false;
+    if (keepsPotential_ && iterations_ == 0)
+    {
+        potential_.resizeDiscarding(liquid.all());
+        potential_.setZero();
+    }
     std::visit
     (
         [&]<class Kernel>(const Kernel& W)
@@ -182,6 +196,16 @@ void Pbf::correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls)
         liquid.kernel()
     );
     liquid.predicted.swap(corrected_);
+    if (keepsPotential_)
+    {
+        forEach(liquid.owned(), AddPotential{parameters_.relaxation, multiplier_.span(), potential_.span()});
+    }
+}
+
+const Buffer<float>* Pbf::keepPotential()
+{
+    keepsPotential_ = true;
+    return &potential_;
 }
 
 }

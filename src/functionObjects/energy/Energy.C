@@ -1,0 +1,79 @@
+// The liquid's energy over time.
+//
+//     energies { type energy; }
+//
+// kinetic: sum m u^2/2; gravitational: -M g.x of the centroid x, zero at the origin; surface:
+// sigma (A - sum_walls A_wall cos theta), A the free area of the surface mesh and A_wall the wetted one (WettedSurface.H);
+// 0 without a model of tension, and not a number where liquid touches walls that have no contact angle in the chosen
+// models. total: their sum.
+
+#include "core/fieldFile/CsvFile.H"
+#include "functionObjects/FunctionObject.H"
+#include "geometry/WettedSurface.H"
+
+#include <limits>
+
+namespace shizuku
+{
+
+namespace
+{
+
+class Energy : public FunctionObject
+{
+public:
+    Energy(const Dictionary&, FlowView& flow, const std::filesystem::path& folder)
+    :
+        wetted_(flow.time.casePath(), flow.properties().spacing),
+        table_
+        (
+            folder / "energy.csv",
+            {{"time", "s"}, {"kinetic", "J"}, {"gravitational", "J"}, {"surface", "J"}, {"total", "J"}}
+        )
+    {
+        flow.requireSurface();
+    }
+
+    void execute(FlowView& flow) override
+    {
+        const LiquidState& state = flow.state();
+        const auto g = flow.models.bodyForce->uniform();
+        const double mass = flow.liquid().owned() * flow.properties().particleMass();
+        const double potential = -mass * dot(Vector3(g), Vector3(state.centroid));
+        const double surface = flow.models.forces.active() ? flow.properties().surfaceTension * tensionArea(flow) : 0;
+        table_.addRow
+        ({
+            flow.time.value(), state.kineticEnergy, potential, surface, state.kineticEnergy + potential + surface
+        });
+    }
+
+    void write() override { table_.write(); }
+
+private:
+    // Free area less the wetted area times cos theta, m2.
+    double tensionArea(FlowView& flow) const
+    {
+        const TriangleMesh& mesh = flow.surface();
+        const std::vector<WettedSurface::Contact> contacts = wetted_.find(mesh);
+        const auto cosines = flow.walls.cosines();
+        double area = 0;
+        for (std::size_t f = 0; f < contacts.size(); ++f)
+        {
+            const auto& contact = contacts[f];
+            if (contact.wall < 0) area += contact.area;
+            else if (!cosines) return std::numeric_limits<double>::quiet_NaN();
+            else if (contact.solid < 0) area -= contact.area * cosines->surfaces[contact.wall];
+            else area -= contact.area * cosines->particles[contact.solid];
+        }
+        return area;
+    }
+
+    WettedSurface wetted_;
+    CsvFile table_;
+};
+
+const FunctionObjectTable::Add<Energy> registered{"energy"};
+
+}
+
+}

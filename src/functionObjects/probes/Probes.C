@@ -1,0 +1,174 @@
+// Values of the liquid at fixed points over time, interpolated by the kernel (Shepard 1968):
+//
+//     A(x) = sum_j (m_j/rho_j) A_j W(|x - x_j|) / sum_j (m_j/rho_j) W(|x - x_j|)
+//
+//     gauges
+//     {
+//         type            probes;
+//         fields          (rho U p);
+//         probeLocations  ((0 0 1e-3) (0 0 2e-3));        // m
+//     }
+//
+// rho [kg/m3], U [m/s], p [Pa] (where the pressure model has one; see Pressure::keepPotential). A row a probe: its number,
+// its place, `fill`, the share of the kernel that liquid fills (1 inside, 1/2 on the surface), and the values; they are
+// not numbers where no liquid is within the kernel's support.
+
+#include "core/fieldFile/CsvFile.H"
+#include "device/Reduce.H"
+#include "functionObjects/FunctionObject.H"
+
+#include <algorithm>
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct ProbeSums
+{
+    double fill = 0, weight = 0, density = 0, potential = 0;
+    double velocity[3] = {0, 0, 0};
+
+    HOST_DEVICE void add(const ProbeSums& other)
+    {
+        fill += other.fill;
+        weight += other.weight;
+        density += other.density;
+        potential += other.potential;
+        for (int c = 0; c < 3; ++c) velocity[c] += other.velocity[c];
+    }
+};
+
+template<class Kernel>
+struct Weighted
+{
+    Kernel W;
+    Vec3 point;
+    Span<const Vec3> position, velocity;
+    Span<const float> density, potential;       // potential: may be empty
+
+    HOST_DEVICE ProbeSums operator()(int j) const
+    {
+        ProbeSums sums;
+        const float W_j = W.W(norm(point - position[j]));
+        if (W_j == 0) return sums;
+        const float weight = W_j / density[j];
+        sums.fill = W_j;
+        sums.weight = weight;
+        sums.density = weight * density[j];
+        if (potential.size > 0) sums.potential = weight * potential[j];
+        sums.velocity[0] = weight * velocity[j].x;
+        sums.velocity[1] = weight * velocity[j].y;
+        sums.velocity[2] = weight * velocity[j].z;
+        return sums;
+    }
+};
+
+class Probes : public FunctionObject
+{
+public:
+    Probes(const Dictionary& dict, FlowView& flow, const std::filesystem::path& folder)
+    :
+        fields_(readFields(dict)),
+        places_(dict.lookup<std::vector<std::array<double, 3>>>("probeLocations")),
+        table_(folder / "probes.csv", columns())
+    {
+        if (places_.empty()) throw FatalInputError(dict.where("probeLocations"), "There is no probe", "one place at least");
+        modelsChanged(flow);
+        if (asked("p") && !potential_)
+        {
+            throw FatalInputError
+            (
+                dict.where("fields"), "The pressure model of constant/models has no pressure p", "rho, U; or pressure pbf"
+            );
+        }
+    }
+
+    void execute(FlowView& flow) override
+    {
+        for (std::size_t probe = 0; probe < places_.size(); ++probe) table_.addRow(row(flow, probe));
+    }
+
+    void write() override { table_.write(); }
+
+    void modelsChanged(FlowView& flow) override
+    {
+        potential_ = asked("p") ? flow.models.pressure->keepPotential() : nullptr;
+    }
+
+private:
+    static std::vector<std::string> readFields(const Dictionary& dict)
+    {
+        const std::vector<std::string> known{"rho", "U", "p"};
+        const auto fields = dict.lookup<std::vector<std::string>>("fields");
+        for (const std::string& field : fields)
+        {
+            if (std::find(known.begin(), known.end(), field) != known.end()) continue;
+            throw FatalInputError(dict.where("fields"), "There is no field '" + field + "'", "some of", known, field);
+        }
+        return fields;
+    }
+
+    bool asked(const std::string& field) const { return std::find(fields_.begin(), fields_.end(), field) != fields_.end(); }
+
+    std::vector<CsvFile::Column> columns() const
+    {
+        std::vector<CsvFile::Column> result{{"time", "s"}, {"probe", ""}, {"x", "m"}, {"y", "m"}, {"z", "m"}, {"fill", ""}};
+        if (asked("rho")) result.push_back({"rho", "kg/m3"});
+        if (asked("U")) result.insert(result.end(), {{"Ux", "m/s"}, {"Uy", "m/s"}, {"Uz", "m/s"}});
+        if (asked("p")) result.push_back({"p", "Pa"});
+        return result;
+    }
+
+    std::vector<CsvFile::Cell> row(FlowView& flow, std::size_t probe)
+    {
+        const Liquid& liquid = flow.liquid();
+        const auto& x = places_[probe];
+        const ProbeSums sums = sumsAt(liquid, x);
+        // 0/0 where there is no liquid: not a number
+        const double velocity = liquid.units().of(dimensions::velocity) / sums.weight;
+        const double rho0 = flow.properties().density, length = liquid.units().length / flow.subStep();
+        std::vector<CsvFile::Cell> cells{flow.time.value(), double(probe), x[0], x[1], x[2]};
+        cells.emplace_back(sums.fill * liquid.particleVolume() / liquid.latticeSum());
+        if (asked("rho")) cells.emplace_back(rho0 * sums.density / sums.weight);
+        if (asked("U")) for (const double u : sums.velocity) cells.emplace_back(u * velocity);
+        if (asked("p")) cells.emplace_back(potential_ ? rho0 * length * length * sums.potential / sums.weight : NAN);
+        return cells;
+    }
+
+    ProbeSums sumsAt(const Liquid& liquid, const std::array<double, 3>& place)
+    {
+        const auto scaled = [&](double x) { return liquid.units().toScaled(x, dimensions::length); };
+        const Vec3 point{scaled(place[0]), scaled(place[1]), scaled(place[2])};
+        return std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                return reduce
+                (
+                    liquid.owned(),
+                    Weighted<Kernel>
+                    {
+                        W, point, liquid.position.span(), liquid.velocity.span(), liquid.density.span(),
+                        potential_ ? potential_->span() : Span<const float>{}
+                    },
+                    scratch_
+                );
+            },
+            liquid.kernel()
+        );
+    }
+
+    std::vector<std::string> fields_;
+    std::vector<std::array<double, 3>> places_;         // m
+    CsvFile table_;
+    const Buffer<float>* potential_ = nullptr;
+    Buffer<ProbeSums> scratch_;
+};
+
+const FunctionObjectTable::Add<Probes> registered{"probes"};
+
+}
+
+}

@@ -1,0 +1,73 @@
+// How far the liquid has spread on each wall.
+//
+//     spread
+//     {
+//         type    spreadDiameter;
+//         wall    floor;              // default: every wall; a box is six
+//     }
+//
+// A row a wall: its normal, averaged over what is wetted; wettedArea; wettedDiameter, of the disc of that area;
+// wettedExtent, the largest distance between wetted places; liquidExtent, that of the whole liquid along the wall; and height,
+// of the liquid's highest place above the wetted ones. Not a number where the wall is dry.
+
+#include "core/fieldFile/CsvFile.H"
+#include "functionObjects/FunctionObject.H"
+#include "geometry/WettedSurface.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+class SpreadDiameter : public FunctionObject
+{
+public:
+    SpreadDiameter(const Dictionary& dict, FlowView& flow, const std::filesystem::path& folder)
+    :
+        surface_(flow.time.casePath(), flow.properties().spacing),
+        table_
+        (
+            folder / "spreadDiameter.csv",
+            {
+                {"time", "s"}, {"wall", ""}, {"normalX", ""}, {"normalY", ""}, {"normalZ", ""}, {"wettedArea", "m2"},
+                {"wettedDiameter", "m"}, {"wettedExtent", "m"}, {"liquidExtent", "m"}, {"height", "m"}
+            }
+        )
+    {
+        flow.requireSurface();
+        const std::vector<std::string>& names = surface_.walls();
+        if (names.empty()) throw FatalInputError(dict.where(), "The case has no wall to spread on", "a wall in constant/walls");
+        if (dict.found("wall")) wall_ = dict.lookupChoice("wall", names);
+    }
+
+    void execute(FlowView& flow) override
+    {
+        const TriangleMesh& mesh = flow.surface();
+        const auto contacts = surface_.find(mesh);
+        for (int wall = 0; wall < int(surface_.walls().size()); ++wall)
+        {
+            if (!wall_.empty() && surface_.walls()[wall] != wall_) continue;
+            const Spread spread = measureSpread(mesh, contacts, wall);
+            const Vector3& n = spread.normal;
+            table_.addRow
+            ({
+                flow.time.value(), surface_.walls()[wall], n.x, n.y, n.z, spread.wettedArea, spread.wettedDiameter,
+                spread.wettedExtent, spread.liquidExtent, spread.height
+            });
+        }
+    }
+
+    void write() override { table_.write(); }
+
+private:
+    WettedSurface surface_;
+    std::string wall_;                  // empty: all
+    CsvFile table_;
+};
+
+const FunctionObjectTable::Add<SpreadDiameter> registered{"spreadDiameter"};
+
+}
+
+}

@@ -1,0 +1,116 @@
+// Function objects of a run: where their tables go, and what needs the solver to be measured.
+
+#include "SolverCase.H"
+
+#include <cmath>
+#include <sstream>
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+class Functions : public SolverCase
+{
+protected:
+    // The numbers of a table below postProcessing, row by row; "nan" for text.
+    std::vector<std::vector<double>> rows(const std::string& table) const
+    {
+        std::vector<std::vector<double>> result;
+        std::istringstream stream(read("postProcessing/" + table));
+        std::string line, cell;
+        std::getline(stream, line);
+        while (std::getline(stream, line))
+        {
+            result.emplace_back();
+            std::istringstream cells(line);
+            while (std::getline(cells, cell, ','))
+            {
+                char* end = nullptr;
+                const double value = std::strtod(cell.c_str(), &end);
+                result.back().push_back(end == cell.c_str() ? NAN : value);
+            }
+        }
+        return result;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Devices, Functions, testing::ValuesIn(devices()));
+
+}
+
+TEST_P(Functions, AllOfThemInOneRun)
+{
+    control
+    (
+        "functions { size { type volume; } energies { type energy; } angle { type contactAngle; wall floor; }"
+        " spread { type spreadDiameter; executeControl onEnd; }"
+        " gauges { type probes; fields (rho U p); probeLocations ((0 0 2e-3)); executeInterval 2; } }"
+    );
+    Outcome outcome = solve();
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_EQ(rows("size/0/volume.csv").size(), 4u);
+    EXPECT_EQ(rows("energies/0/energy.csv").size(), 4u);
+    EXPECT_EQ(rows("angle/0/contactAngle.csv").size(), 4u);
+    EXPECT_EQ(rows("spread/0/spreadDiameter.csv").size(), 2u);          // the analytic wall and the sampled floor
+    EXPECT_EQ(rows("gauges/0/probes.csv").size(), 2u);
+    EXPECT_TRUE(holds(read("postProcessing/spread/0/spreadDiameter.csv"), {"0.004,side,1,0,0,", "0.004,floor,0,0,1,"}));
+    const double block = particles*spacing*spacing*spacing;
+    EXPECT_NEAR(rows("size/0/volume.csv").back()[1], block, 0.1*block);
+    EXPECT_FALSE(std::isnan(rows("energies/0/energy.csv").back()[4]));
+    EXPECT_EQ(rows("angle/0/contactAngle.csv").back()[3], 60);
+
+    // A restart has a folder of its own.
+    control("endTime 6e-3; functions { size { type volume; } }");
+    outcome = solve();
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_EQ(rows("size/0.004/volume.csv").size(), 2u);
+    EXPECT_EQ(rows("size/0/volume.csv").size(), 4u);
+}
+
+// A column that its pressure holds against gravity: p = rho g depth in the mean over the steps. Particles crowd by 1 to 3 %
+// in the column, and its surface, a layer of particles, is known to half a spacing of ten: 10 % holds both.
+TEST_P(Functions, ProbesReadTheHydrostaticPressure)
+{
+    write("system/solution", "spacing 1e-3;\npressure { minIterations 4; maxIterations 20; }\n");
+    write("constant/models", "pressure pbf; surfaceTension none; wetting none; viscosity XSPH; bodyForce gravity;");
+    write("constant/walls", "tank { type box; min (-3.5e-3 -3.5e-3 0); max (3.5e-3 3.5e-3 1); }");
+    control
+    (
+        "endTime 0.15; deltaT 2e-3; writeInterval 1000; reportInterval 1000;"
+        "functions { gauges { type probes; fields (p); probeLocations ((0 0 1e-3)); } size { type spreadDiameter; wall tank; } }"
+    );
+    const Outcome outcome = solve();
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const auto pressures = rows("gauges/0/probes.csv"), spreads = rows("size/0/spreadDiameter.csv");
+    double sum = 0, depth = 0;
+    int count = 0;
+    for (std::size_t row = 0; row < pressures.size(); ++row)
+    {
+        if (pressures[row][0] < 0.08) continue;             // the column has come to rest
+        sum += pressures[row].back();
+        depth += spreads[6*row + 4].back() - 1e-3;          // of the box's planes the fifth is the bottom: its height
+        ++count;
+    }
+    ASSERT_GT(count, 30);
+    const double expected = 998*9.81*depth/count;
+    EXPECT_NEAR(sum/count, expected, 0.1*expected);
+}
+
+TEST_P(Functions, RefuseBadEntries)
+{
+    control("\nfunctions { a { type contactAngle; wall wal; } }");
+    expectRefusal({"'wal'", "floor", "side", "controlDict at line 7"});
+    control("\nfunctions { a { type probes; fields (U); probeLocations ((0 0 zero)); } }");
+    expectRefusal({"the word 'zero'", "a list of vectors", "line 7"});
+    control("\nfunctions { a { type volume; executeControl rarely; } }");
+    expectRefusal({"'rarely'", "writeTime", "line 7"});
+    control("\nfunctions ( volume );");
+    expectRefusal({"'functions' is no dictionary", "line 7"});
+    control("functions { a { type volume; } }");
+    write("system/meshSurfaceDict", "cell 20;");
+    expectRefusal({"cell is out of range", "meshSurfaceDict"});
+}
+
+}

@@ -1,0 +1,169 @@
+// Function objects that look at a drop as a whole, on half a ball of liquid that stands on a plane.
+
+#include "functionObjects/FunctionObjects.H"
+
+#include "support/FlowCase.H"
+
+#include <numbers>
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+constexpr double d = 1e-3, radius = 10*d;               // m
+constexpr double pi = std::numbers::pi;
+
+// The places of a lattice of spacing 1 in half a ball, the lowest half a spacing above z = 0.
+std::vector<Vec3> halfBall(const Vec3& shift = {})
+{
+    std::vector<Vec3> places;
+    for (int x = -10; x < 10; ++x)
+    {
+        for (int y = -10; y < 10; ++y)
+        {
+            for (int z = 0; z < 10; ++z)
+            {
+                const Vec3 p{x + 0.5f, y + 0.5f, z + 0.5f};
+                if (squared(p) < 100) places.push_back(p + shift);
+            }
+        }
+    }
+    return places;
+}
+
+const CaseText onAPlane
+{
+    .walls = "floor { type plane; point (0 0 0); normal (0 0 1); }", .wettability = "floor { theta 60; }"
+};
+const std::string wetting = "surfaceTension Fujisawa2014; wetting contactAngle; bodyForce gravity;";
+
+}
+
+// The lattice fills the half ball to 1 % (2,104 places against 2 pi/3 10^3 = 2,094), and the mesh at the level 1/2 takes
+// corners off a rough surface; 4 % of a volume is 0.13 spacings of the radius.
+TEST(Volume, IsTheMeshsAndTheParticles)
+{
+    FlowCase flow("size { type volume; }", onAPlane);
+    flow.step(halfBall());
+    const std::string table = "size/0/volume.csv";
+    EXPECT_TRUE(flow.table(table).starts_with("time [s],volume [m3],particleVolume [m3],crowded [m3],drift [%]\n"));
+    const double particles = double(halfBall().size())*d*d*d;
+    EXPECT_NEAR(flow.value(table, "particleVolume"), particles, 1e-8*particles);
+    EXPECT_NEAR(flow.value(table, "volume"), particles, 0.04*particles);
+    EXPECT_NEAR(flow.value(table, "crowded"), particles, 0.01*particles);       // the rest density, but at the plane's edge
+    EXPECT_NEAR(flow.value(table, "drift"), 100*(flow.value(table, "volume")/particles - 1), 1e-4);
+}
+
+TEST(Energy, IsThatOfTheHalfBall)
+{
+    FlowCase flow("energies { type energy; }", onAPlane, wetting);
+    const auto places = halfBall({0, 0, 0});
+    const double u = flow.liquid.units().of(dimensions::velocity);
+    flow.step(places, std::vector<Vec3>(places.size(), Vec3{3, 0, 4}));         // 5 scaled units of speed
+    const std::string table = "energies/0/energy.csv";
+    const double mass = 1000*double(places.size())*d*d*d;
+    double height = 0;
+    for (const Vec3& p : places) height += double(p.z)*d/double(places.size());
+    EXPECT_NEAR(flow.value(table, "kinetic"), 0.5*mass*25*u*u, 1e-5*mass*25*u*u);               // sums of floats
+    EXPECT_NEAR(flow.value(table, "gravitational"), mass*9.81*height, 1e-5*mass*9.81*height);
+    // sigma (2 pi R^2 - pi R^2 cos 60); a rough ball has more area than a smooth one, the rounded foot less: 6 %.
+    const double surface = 0.072*(2 - 0.5)*pi*radius*radius;
+    EXPECT_NEAR(flow.value(table, "surface"), surface, 0.06*surface);
+    const double total = flow.value(table, "kinetic") + flow.value(table, "gravitational") + flow.value(table, "surface");
+    EXPECT_NEAR(flow.value(table, "total"), total, 1e-7*total);
+}
+
+TEST(Energy, OfTheSurfaceIsUnknownWhereTheModelsHaveNoContactAngle)
+{
+    FlowCase flow("energies { type energy; }", onAPlane, "surfaceTension Akinci2013;");
+    flow.step(halfBall());
+    EXPECT_TRUE(std::isnan(flow.value("energies/0/energy.csv", "surface")));
+    flow.step(halfBall({0, 0, 5}));             // off the wall: sigma times the area of the half ball and its foot
+    const double surface = 0.072*3*pi*radius*radius;
+    EXPECT_NEAR(flow.value("energies/0/energy.csv", "surface"), surface, 0.06*surface);
+}
+
+TEST(SpreadDiameter, MeasuresTheFoot)
+{
+    FlowCase flow("spread { type spreadDiameter; }", onAPlane);
+    flow.step(halfBall());
+    const std::string table = "spread/0/spreadDiameter.csv";
+    EXPECT_TRUE(holds(flow.table(table), {"0.25,floor,0,0,1,", "wettedArea [m2]", "wettedExtent [m]", "liquidExtent [m]"}));
+    // The mesh rounds the foot's edge off at half a spacing: of 20 spacings one is missing at most.
+    EXPECT_NEAR(flow.value(table, "wettedDiameter"), 2*radius, 1.2*d);
+    EXPECT_NEAR(flow.value(table, "wettedExtent"), 2*radius, 1.2*d);
+    const double area = flow.value(table, "wettedArea");
+    EXPECT_NEAR(flow.value(table, "wettedDiameter"), 2*std::sqrt(area/pi), 1e-8);
+    EXPECT_NEAR(flow.value(table, "liquidExtent"), 2*radius, 0.5*d);
+    EXPECT_NEAR(flow.value(table, "height"), radius, 0.5*d);
+
+    flow.step(halfBall({0, 0, 5}));             // it has left the wall
+    EXPECT_EQ(flow.value(table, "wettedArea"), 0);
+    EXPECT_EQ(flow.value(table, "wettedDiameter"), 0);
+    EXPECT_TRUE(std::isnan(flow.value(table, "height")));
+}
+
+TEST(SpreadDiameter, TakesOneWallOrEach)
+{
+    const CaseText tank{.walls = "tank { type box; min (-0.01 -0.01 0); max (0.05 0.05 0.05); } lid { type plane; point (0 0 0.04); normal (0 0 -1); }"};
+    FlowCase flow("all { type spreadDiameter; } lid { type spreadDiameter; wall lid; }", tank);
+    flow.step(halfBall());
+    const std::string table = flow.table("all/0/spreadDiameter.csv");
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 7);
+    const std::string lid = flow.table("lid/0/spreadDiameter.csv");
+    EXPECT_EQ(std::count(lid.begin(), lid.end(), '\n'), 1 + 1);
+    EXPECT_EQ(flow.value("lid/0/spreadDiameter.csv", "wettedArea"), 0);
+
+    const auto refusal = [&](const std::string& entries, const CaseText& text)
+    {
+        return messageOf([&] { FlowCase("a { type spreadDiameter; " + entries + " }", text); });
+    };
+    EXPECT_TRUE(holds(refusal("wall flor;", onAPlane), {"'flor'", "Did you mean 'floor'"}));
+    EXPECT_TRUE(holds(refusal("", {}), {"no wall", "constant/walls"}));
+}
+
+TEST(ContactAngleTable, MeasuresAsProbeAngleDoes)
+{
+    FlowCase flow("angle { type contactAngle; }", onAPlane, wetting);
+    flow.step(halfBall());
+    const std::string table = "angle/0/contactAngle.csv";
+    EXPECT_TRUE(holds(flow.table(table), {"time [s],drop,state,prescribed [deg],angle [deg]", "attached"}));
+    EXPECT_NEAR(flow.value(table, "angle"), 90, 3);         // of a lattice's ball with steps of one spacing in ten
+    EXPECT_EQ(flow.value(table, "prescribed"), 60);
+    EXPECT_EQ(flow.value(table, "particles"), double(halfBall().size()));
+    EXPECT_NEAR(flow.value(table, "contactRadius"), radius, 0.5*d);
+
+    const auto refusal = [&](const std::string& entries, const CaseText& text)
+    {
+        return messageOf([&] { FlowCase("a { type contactAngle; " + entries + " }", text); });
+    };
+    EXPECT_TRUE(holds(refusal("wall flor;", onAPlane), {"'flor'", "floor"}));
+    EXPECT_TRUE(holds(refusal("", {}), {"'wall' is missing"}));
+    const CaseText round{.walls = "ball { type sphere; centre (0 0 -1); radius 1; liquid outside; }", .wettability = "ball { theta 60; }"};
+    EXPECT_TRUE(holds(refusal("", round), {"'ball' is no plane"}));
+}
+
+// Nobody asks: no surface, no density, no sums.
+TEST(FlowView, ComputesNothingUnasked)
+{
+    FlowCase flow("timing { type stepTime; }", onAPlane);
+    const auto places = halfBall();
+    flow.place(places);
+    const long before = deviceCounters().launches;
+    flow.place(places);
+    const long placing = deviceCounters().launches - before;
+    flow.step(places);
+    EXPECT_EQ(deviceCounters().launches - before, 2*placing);
+    // One surface for all who ask in a step.
+    FlowCase many("a { type volume; } b { type spreadDiameter; } c { type contactAngle; }", onAPlane);
+    FlowCase one("a { type volume; }", onAPlane);
+    const auto launchesOf = [&](FlowCase& flow)
+    {
+        const long start = deviceCounters().launches;
+        flow.step(places);
+        return deviceCounters().launches - start;
+    };
+    EXPECT_EQ(launchesOf(many), launchesOf(one));
+}
