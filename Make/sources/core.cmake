@@ -14,6 +14,7 @@ set(SHIZUKU_CORE_SOURCES
     core/dictionary/DictionaryTree.C
     core/dictionary/DictionaryUsage.C
     core/dictionary/DictionaryWriter.C
+    core/dictionary/Differences.C
     core/dictionary/Dimensions.C
     core/dictionary/EntryMerge.C
     core/dictionary/EntryPath.C
@@ -41,4 +42,5 @@ set(SHIZUKU_CORE_SOURCES
     core/time/TimeName.C
     core/time/TimeSelection.C
     core/time/TimeState.C
+    core/time/WatchedFile.C
 )

@@ -20,9 +20,9 @@ namespace
 class @class@ : public FunctionObject
 {
 public:
-    @class@(const Dictionary&, FlowView&, const std::filesystem::path& folder)
+    @class@(const Dictionary&, const FunctionSetting& setting)
     :
-        table_(folder / "@word@.csv", {{"time", "s"}, {"distance", "m"}})
+        table_(setting.folder / "@word@.csv", {{"time", "s"}, {"distance", "m"}})
     {}
 
     void execute(FlowView& flow) override

@@ -40,15 +40,10 @@ const std::vector<Vector3>& FlowView::positions()
     return *positions_;
 }
 
-void FlowView::requireSurface()
-{
-    if (!mesher_) mesher_.emplace(readSurfaceParameters(time.casePath(), liquid_.spacing()));
-}
-
 const TriangleMesh& FlowView::surface()
 {
     if (surface_) return *surface_;
-    requireSurface();
+    if (!mesher_) mesher_.emplace(readSurfaceParameters(time.casePath(), liquid_.spacing()));
     const Span<const Vec3> owned{liquid_.position.span().data, liquid_.owned()};
     surface_ = toTriangleMesh(mesher_->extract(owned), liquid_.units().length);
     return *surface_;

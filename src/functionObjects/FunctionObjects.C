@@ -1,20 +1,26 @@
 #include "functionObjects/FunctionObjects.H"
 
+#include "surface/CaseSurface.H"
+
 namespace shizuku
 {
 
-FunctionObjects::FunctionObjects(FlowView& flow, bool enabled)
+void FunctionSetting::requireSurface() const
 {
-    const Time& time = flow.time;
+    readSurfaceParameters(casePath, 1);
+}
+
+FunctionObjects::FunctionObjects(const Time& time, double spacing, bool enabled)
+{
     const Dictionary functions = time.controlDict().subDictOrEmpty("functions");
     if (!enabled) return;
     for (const std::string& name : functions.dictKeys())
     {
         const Dictionary dict = functions.subDict(name);
+        const FunctionSetting setting{time.casePath(), time.casePath() / "postProcessing" / name / time.name(), spacing};
         auto object = FunctionObjectTable::New
         (
-            "functionObject", dict.lookup<std::string>("type"), dict.where("type"), dict, flow,
-            time.casePath() / "postProcessing" / name / time.name()
+            "functionObject", dict.lookup<std::string>("type"), dict.where("type"), dict, setting
         );
         entries_.push_back
         ({
@@ -46,9 +52,9 @@ void FunctionObjects::write(const Time& time)
     }
 }
 
-void FunctionObjects::modelsChanged(FlowView& flow)
+void FunctionObjects::modelsMade(FlowView& flow)
 {
-    for (Entry& entry : entries_) entry.object->modelsChanged(flow);
+    for (Entry& entry : entries_) entry.object->modelsMade(flow);
 }
 
 }

@@ -64,6 +64,12 @@ Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)
     }
 }
 
+void Liquid::change(double viscosity, double surfaceTension)
+{
+    properties_.viscosity = viscosity;
+    properties_.surfaceTension = surfaceTension;
+}
+
 void Liquid::read(const std::filesystem::path& timeFolder)
 {
     const auto folder = timeFolder / name();

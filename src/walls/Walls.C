@@ -127,6 +127,12 @@ struct KeepBeforeLayer
 
 }
 
+void WallCosines::setParticles(const std::vector<double>& theta)
+{
+    particles.clear();
+    for (const double angle : theta) particles.push_back(cosine(angle));
+}
+
 Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liquid& liquid)
 :
     case_(casePath), startTime_(startTime), dict_(Dictionary::read(casePath / "constant/walls")),
@@ -198,12 +204,15 @@ void Walls::computeVirtualVolumes(const Liquid& liquid)
 
 void Walls::requireContactAngles()
 {
-    if (cosTheta_ || (!sampled_ && surfaces_.count == 0)) return;
+    if (!cosTheta_ && (sampled_ || surfaces_.count > 0)) use(readCosines(startTime_));
+}
 
-    cosTheta_ = &solid_.fields().add<float>({.name = "cosTheta", .dimensions = dimensions::none});
+WallCosines Walls::readCosines(double time) const
+{
+    WallCosines cosines;
     if (sampled_)
     {
-        const auto folder = findInstance(case_, startTime_, "solid/theta");
+        const auto folder = findInstance(case_, time, "solid/theta");
         if (folder.empty())
         {
             throw FatalInputError
@@ -214,10 +223,7 @@ void Walls::requireContactAngles()
         }
         const auto file = folder / "solid/theta";
         const FieldData theta = readField(file, FieldType::scalar, dimensions::none, solid_.all());
-        const auto order = order_.download();
-        std::vector<float> cosines(solid_.all());
-        for (int k = 0; k < solid_.all(); ++k) cosines[k] = cosineOf(theta(order[k]), {file.string(), 0});
-        cosTheta_->upload(cosines);
+        for (int k = 0; k < solid_.all(); ++k) cosines.particles.push_back(cosineOf(theta(k), {file.string(), 0}));
     }
     if (surfaces_.count > 0)
     {
@@ -230,12 +236,21 @@ void Walls::requireContactAngles()
         }
         names.insert(names.end(), surfaceNames_.begin(), surfaceNames_.end());
         refuseUnknownWalls(wettability, names);
-        for (int a = 0; a < surfaces_.count; ++a)
-        {
-            surfaces_.surface[a].cosTheta = cosine(wallTheta(wettability, surfaceNames_[a]));
-        }
+        for (const std::string& wall : surfaceNames_) cosines.surfaces.push_back(cosine(wallTheta(wettability, wall)));
         wettability.refuseUnused();
     }
+    return cosines;
+}
+
+void Walls::use(const WallCosines& cosines)
+{
+    if (!cosTheta_) cosTheta_ = &solid_.fields().add<float>({.name = "cosTheta", .dimensions = dimensions::none});
+    for (int a = 0; a < surfaces_.count; ++a) surfaces_.surface[a].cosTheta = cosines.surfaces[a];
+    if (!sampled_) return;
+    const auto order = order_.download();
+    std::vector<float> sorted(order.size());
+    for (std::size_t k = 0; k < sorted.size(); ++k) sorted[k] = cosines.particles[order[k]];
+    cosTheta_->upload(sorted);
 }
 
 std::optional<WallCosines> Walls::cosines() const

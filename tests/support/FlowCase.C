@@ -25,7 +25,8 @@ FlowCase::FlowCase
     models_ = std::make_unique<Models>(folder.path(), Dictionary(), liquid, walls);
     time_ = std::make_unique<Time>(folder.path());
     view_ = std::make_unique<FlowView>(*time_, liquid, near, walls, *models_);
-    functions_ = std::make_unique<FunctionObjects>(*view_, true);
+    functions_ = std::make_unique<FunctionObjects>(*time_, text.spacing, true);
+    functions_->modelsMade(*view_);
 }
 
 void FlowCase::step(const std::vector<Vec3>& positions, const std::vector<Vec3>& velocities)

@@ -3,6 +3,7 @@
 // The time loop, with the sub-step in SubStep.C, is the algorithm. What each line computes, and from which paper, stands
 // in the header it comes from.
 
+#include "CaseChanges.H"
 #include "DryRun.H"
 #include "StepControl.H"
 #include "StepReport.H"
@@ -26,6 +27,7 @@ void pbfDroplet(const Arguments& args)
     std::cout << "Device : " << device.backend << ", " << device.name << "\n\n";
 
     Time time(args.casePath());
+    CaseChanges changes(time);
     const Dictionary solution = Dictionary::read(args.casePath() / "system/solution");
     const Dictionary liquidDict = Dictionary::read(args.casePath() / "constant/liquidProperties");
 
@@ -33,14 +35,15 @@ void pbfDroplet(const Arguments& args)
     Walls walls(args.casePath(), time.value(), liquid);
     Models models(args.casePath(), solution, liquid, walls);
     StepControl control(time.controlDict());
-    Neighbourhood near(liquid);
-    FlowView flow(time, liquid, near, walls, models);
-    FunctionObjects functions(flow, !args.found("noFunctionObjects"));
+    FunctionObjects functions(time, liquid.properties().spacing, !args.found("noFunctionObjects"));
     solution.refuseUnused();
     liquidDict.refuseUnused();
 
     liquid.read(time.path());
     if (time.index() == 0) walls.refuseLiquidInside(liquid);
+    Neighbourhood near(liquid);
+    FlowView flow(time, liquid, near, walls, models);
+    functions.modelsMade(flow);
     SpeedMeter meter;
     Speeds speeds = meter.measure(liquid);
     std::cout << "Liquid particles " << liquid.owned() << ", solid particles " << walls.particles()
@@ -52,6 +55,7 @@ void pbfDroplet(const Arguments& args)
     while (time.running())
     {
         if (time.readIfModified()) control = StepControl(time.controlDict());
+        if (changes.apply(time, liquid, walls, models)) functions.modelsMade(flow);
         const SubSteps steps = control.divide(time.deltaT(), speeds.now, liquid, models);
         const float dt = liquid.units().toScaled(steps.dt, dimensions::time);
         time.advance();

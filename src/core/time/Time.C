@@ -1,5 +1,6 @@
 #include "core/time/Time.H"
 
+#include "core/dictionary/Differences.H"
 #include "core/fieldFile/AtomicFile.H"
 #include "core/messages/Error.H"
 
@@ -75,6 +76,15 @@ void checkEnd(const Controls& controls, const Dictionary& dict, double startTime
     );
 }
 
+// What is read at the start only has no effect on this run.
+void reportChange(const EntryChange& change)
+{
+    const auto of = [&](const std::string& word) { return change.entry == word || change.entry.starts_with(word + "."); };
+    const bool later = of("startFrom") || of("startTime") || of("functions") || of("application");
+    std::cout << "    " << change.entry << ": " << change.before << " -> " << change.after
+              << (later ? "   (acts at the next start)\n" : "\n");
+}
+
 void warnOfPrecision(const Controls& controls, const Dictionary& dict)
 {
     if (controls.format.binary || controls.format.precision >= 9) return;
@@ -84,8 +94,8 @@ void warnOfPrecision(const Controls& controls, const Dictionary& dict)
 }
 
 Time::Time(const fs::path& casePath)
-    : case_(casePath), stamp_(controlStamp()), dict_(Dictionary::read(controlFile())),
-      controls_(readControls(Dictionary::read(controlFile()))), pace_("Time")
+    : case_(casePath), file_(case_ / "system/controlDict"), dict_(Dictionary::read(file_.path())),
+      controls_(readControls(Dictionary::read(file_.path()))), pace_("Time")
 {
     const TimeFolder folder = findStart(case_, controls_, dict_);
     startFolder_ = folder.path;
@@ -181,28 +191,19 @@ fs::path Time::path() const
     return state_.index == start_.index ? startFolder_ : case_ / name();
 }
 
-Time::FileStamp Time::controlStamp() const
-{
-    std::error_code missing;
-    const auto modified = fs::last_write_time(controlFile(), missing);
-    if (missing) return {};
-    const auto size = fs::file_size(controlFile(), missing);
-    return missing ? FileStamp() : FileStamp(std::pair(modified, size));
-}
-
 bool Time::readIfModified()
 {
-    if (!controls_.runTimeModifiable) return false;
-    const FileStamp now = controlStamp();
-    if (!now || now == stamp_) return false;
-    stamp_ = now;
+    if (!controls_.runTimeModifiable || !file_.changed()) return false;
     try
     {
-        const Dictionary dict = Dictionary::read(controlFile());
-        const Controls controls = readControls(dict);
-        checkEnd(controls, dict, start_.value);
-        warnOfPrecision(controls, dict);
-        dict_ = Dictionary::read(controlFile());
+        const Dictionary dict = Dictionary::read(file_.path()), checked = Dictionary::read(file_.path());
+        const Controls controls = readControls(checked);
+        checkEnd(controls, checked, start_.value);
+        warnOfPrecision(controls, checked);
+        std::cout << "Read " << file_.path().string() << " anew, it has changed\n";
+        for (const EntryChange& change : differences(dict_, dict)) reportChange(change);
+        std::cout << std::flush;
+        dict_ = dict;
         use(controls);
     }
     catch (const FatalInputError& error)
@@ -210,7 +211,6 @@ bool Time::readIfModified()
         warning(std::string(error.what()) + "\nThe change of controlDict is left out, the former values stay in force");
         return false;
     }
-    std::cout << "Read " << controlFile().string() << " anew, it has changed" << std::endl;
     return true;
 }
 

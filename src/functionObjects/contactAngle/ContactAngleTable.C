@@ -16,22 +16,24 @@ namespace shizuku
 namespace
 {
 
-DropMeasurement measurementOf(const Dictionary& dict, const FlowView& flow)
+DropMeasurement measurementOf(const Dictionary& dict, const FunctionSetting& setting)
 {
-    const std::filesystem::path& casePath = flow.time.casePath();
-    const CaseWalls walls = readCaseWalls(casePath);
-    return DropMeasurement(casePath, DropControls::read(dict, walls), walls, flow.properties().spacing);
+    const CaseWalls walls = readCaseWalls(setting.casePath);
+    return DropMeasurement(setting.casePath, DropControls::read(dict, walls), walls, setting.spacing);
 }
 
 class ContactAngleTable : public FunctionObject
 {
 public:
-    ContactAngleTable(const Dictionary& dict, FlowView& flow, const std::filesystem::path& folder)
+    ContactAngleTable(const Dictionary& dict, const FunctionSetting& setting)
     :
-        measurement_(measurementOf(dict, flow)), table_(dropTable(folder / "contactAngle.csv"))
+        measurement_(measurementOf(dict, setting)), table_(dropTable(setting.folder / "contactAngle.csv"))
     {
-        flow.requireSurface();
+        setting.requireSurface();
     }
+
+    // A changed angle counts once the models have it.
+    void modelsMade(FlowView& flow) override { measurement_.readPrescribed(flow.time.value()); }
 
     void execute(FlowView& flow) override
     {

@@ -22,16 +22,16 @@ namespace
 class Energy : public FunctionObject
 {
 public:
-    Energy(const Dictionary&, FlowView& flow, const std::filesystem::path& folder)
+    Energy(const Dictionary&, const FunctionSetting& setting)
     :
-        wetted_(flow.time.casePath(), flow.properties().spacing),
+        wetted_(setting.casePath, setting.spacing),
         table_
         (
-            folder / "energy.csv",
+            setting.folder / "energy.csv",
             {{"time", "s"}, {"kinetic", "J"}, {"gravitational", "J"}, {"surface", "J"}, {"total", "J"}}
         )
     {
-        flow.requireSurface();
+        setting.requireSurface();
     }
 
     void execute(FlowView& flow) override

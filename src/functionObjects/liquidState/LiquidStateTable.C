@@ -14,11 +14,11 @@ namespace
 class LiquidStateTable : public FunctionObject
 {
 public:
-    LiquidStateTable(const Dictionary&, FlowView&, const std::filesystem::path& folder)
+    LiquidStateTable(const Dictionary&, const FunctionSetting& setting)
     :
         table_
         (
-            folder / "liquidState.csv",
+            setting.folder / "liquidState.csv",
             {
                 {"time", "s"}, {"volume", "m3"}, {"kineticEnergy", "J"}, {"maxSpeed", "m/s"},
                 {"centroidX", "m"}, {"centroidY", "m"}, {"centroidZ", "m"},

@@ -68,21 +68,13 @@ struct Weighted
 class Probes : public FunctionObject
 {
 public:
-    Probes(const Dictionary& dict, FlowView& flow, const std::filesystem::path& folder)
+    Probes(const Dictionary& dict, const FunctionSetting& setting)
     :
-        fields_(readFields(dict)),
+        fields_(readFields(dict)), where_(dict.where("fields")),
         places_(dict.lookup<std::vector<std::array<double, 3>>>("probeLocations")),
-        table_(folder / "probes.csv", columns())
+        table_(setting.folder / "probes.csv", columns())
     {
         if (places_.empty()) throw FatalInputError(dict.where("probeLocations"), "There is no probe", "one place at least");
-        modelsChanged(flow);
-        if (asked("p") && !potential_)
-        {
-            throw FatalInputError
-            (
-                dict.where("fields"), "The pressure model of constant/models has no pressure p", "rho, U; or pressure pbf"
-            );
-        }
     }
 
     void execute(FlowView& flow) override
@@ -92,9 +84,13 @@ public:
 
     void write() override { table_.write(); }
 
-    void modelsChanged(FlowView& flow) override
+    void modelsMade(FlowView& flow) override
     {
-        potential_ = asked("p") ? flow.models.pressure->keepPotential() : nullptr;
+        if (!asked("p")) return;
+        const bool atStart = flow.subStep() == 0;
+        potential_ = flow.models.pressure->keepPotential();
+        if (potential_ || !atStart) return;             // a model without pressure in the middle of a run: no numbers
+        throw FatalInputError(where_, "The pressure model of constant/models has no pressure p", "rho, U; or pressure pbf");
     }
 
 private:
@@ -161,6 +157,7 @@ private:
     }
 
     std::vector<std::string> fields_;
+    SourceLocation where_;
     std::vector<std::array<double, 3>> places_;         // m
     CsvFile table_;
     const Buffer<float>* potential_ = nullptr;

@@ -23,19 +23,19 @@ namespace
 class SpreadDiameter : public FunctionObject
 {
 public:
-    SpreadDiameter(const Dictionary& dict, FlowView& flow, const std::filesystem::path& folder)
+    SpreadDiameter(const Dictionary& dict, const FunctionSetting& setting)
     :
-        surface_(flow.time.casePath(), flow.properties().spacing),
+        surface_(setting.casePath, setting.spacing),
         table_
         (
-            folder / "spreadDiameter.csv",
+            setting.folder / "spreadDiameter.csv",
             {
                 {"time", "s"}, {"wall", ""}, {"normalX", ""}, {"normalY", ""}, {"normalZ", ""}, {"wettedArea", "m2"},
                 {"wettedDiameter", "m"}, {"wettedExtent", "m"}, {"liquidExtent", "m"}, {"height", "m"}
             }
         )
     {
-        flow.requireSurface();
+        setting.requireSurface();
         const std::vector<std::string>& names = surface_.walls();
         if (names.empty()) throw FatalInputError(dict.where(), "The case has no wall to spread on", "a wall in constant/walls");
         if (dict.found("wall")) wall_ = dict.lookupChoice("wall", names);

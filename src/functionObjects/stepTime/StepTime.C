@@ -20,9 +20,9 @@ namespace
 class StepTime : public FunctionObject
 {
 public:
-    StepTime(const Dictionary&, FlowView&, const std::filesystem::path& folder)
+    StepTime(const Dictionary&, const FunctionSetting& setting)
     :
-        table_(folder / "stepTime.csv", {{"time", "s"}, {"wall", "ms"}}), last_(Clock::now())
+        table_(setting.folder / "stepTime.csv", {{"time", "s"}, {"wall", "ms"}}), last_(Clock::now())
     {}
 
     // The speeds were read off the device: the step is complete.

@@ -17,15 +17,15 @@ namespace
 class Volume : public FunctionObject
 {
 public:
-    Volume(const Dictionary&, FlowView& flow, const std::filesystem::path& folder)
+    Volume(const Dictionary&, const FunctionSetting& setting)
     :
         table_
         (
-            folder / "volume.csv",
+            setting.folder / "volume.csv",
             {{"time", "s"}, {"volume", "m3"}, {"particleVolume", "m3"}, {"crowded", "m3"}, {"drift", "%"}}
         )
     {
-        flow.requireSurface();
+        setting.requireSurface();
     }
 
     void execute(FlowView& flow) override

@@ -82,7 +82,7 @@ DropRecord DropMeasurement::measureDrop
     record.particleDrift = drop.volume/(record.particles*spacing_*spacing_*spacing_) - 1;
     record.centroid = centroid;
     const double footprint = std::sqrt(record.shape.coveredArea/std::numbers::pi);
-    record.prescribed = prescribed_.below(centroid, footprint, plane_, time);
+    record.prescribed = prescribed_.below(centroid, footprint, plane_);
     return record;
 }
 

@@ -27,22 +27,26 @@ PrescribedAngle::PrescribedAngle
     }
 }
 
-double PrescribedAngle::below(const Vector3& foot, double radius, const Plane& plane, double time) const
+void PrescribedAngle::read(double time)
 {
+    wallTheta_.reset();
+    theta_.reset();
     if (patch_ < 0)
     {
         const auto file = case_/"constant/wettability";
-        if (!std::filesystem::exists(file)) return none;
-        return Dictionary::read(file).subDictOrEmpty(wall_).lookupOr<double>("theta", none);
+        if (!std::filesystem::exists(file)) return;
+        wallTheta_ = Dictionary::read(file).subDictOrEmpty(wall_).lookupOr<double>("theta", none);
+        return;
     }
-
     const auto instance = findInstance(case_, time, "solid/theta");
-    if (instance.empty()) return none;
+    if (instance.empty()) return;
+    theta_ = readField(instance/"solid/theta", FieldType::scalar, dimensions::none, long(walls_.solid.positions.size()));
+}
+
+double PrescribedAngle::below(const Vector3& foot, double radius, const Plane& plane) const
+{
+    if (!theta_) return wallTheta_.value_or(none);
     const SolidParticles& solid = walls_.solid;
-    const FieldData theta = readField
-    (
-        instance/"solid/theta", FieldType::scalar, dimensions::none, long(solid.positions.size())
-    );
     double sum = 0;
     long count = 0;
     for (std::size_t i = 0; i < solid.positions.size(); ++i)
@@ -50,7 +54,7 @@ double PrescribedAngle::below(const Vector3& foot, double radius, const Plane& p
         const Vector3 fromFoot = solid.positions[i] - foot;
         const Vector3 along = fromFoot - dot(fromFoot, plane.normal)*plane.normal;
         if (solid.patch[i] != patch_ || length(along) > radius) continue;
-        sum += theta(i);
+        sum += (*theta_)(i);
         ++count;
     }
     return count > 0 ? sum/count : none;

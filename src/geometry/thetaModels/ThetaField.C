@@ -79,6 +79,17 @@ void refuseUnknownWalls(const Dictionary& wettability, const std::vector<std::st
     }
 }
 
+void writeTheta(const std::filesystem::path& folder, const std::vector<double>& theta, const WriteFormat& format)
+{
+    FieldData field{"theta", FieldType::scalar, dimensions::none, false, theta};
+    if (std::adjacent_find(theta.begin(), theta.end(), std::not_equal_to<>()) == theta.end())
+    {
+        field.uniform = true;
+        field.values.resize(1);
+    }
+    writeField(folder/"solid"/"theta", field, format);
+}
+
 std::vector<double> thetaField
 (
     const SolidParticles& solid, const std::vector<AnalyticSurface>& walls, const Dictionary& wettability,

@@ -22,8 +22,47 @@ TEST_F(DropCase, PlotCaseDrawsTheLatestTables)
     ASSERT_EQ(outcome.status, 0) << outcome.text;
     EXPECT_EQ(read("postProcessing/probeAngle/0/angle.png").substr(1, 3), "PNG");
     EXPECT_TRUE(holds(read("postProcessing/probeAngle/0/angle.svg"), {"contact angle [deg]", "prescribed", "drop 1"}));
-    EXPECT_TRUE(holds(read("postProcessing/drop/0.01/liquidState.svg"), {"volume [m3]"}));
+    EXPECT_TRUE(holds(read("postProcessing/drop/0.01/liquidState.svg"), {"volume [mm3]"}));
     EXPECT_FALSE(fs::exists(path()/"postProcessing/drop/0/liquidState.svg"));
+}
+
+TEST_F(DropCase, PlotCaseDrawsFunctionObjects)
+{
+    write
+    (
+        "postProcessing/e/0/energy.csv",
+        "time [s],kinetic [J],gravitational [J],surface [J],total [J]\n0,0,1e-6,nan,nan\n0.1,1e-7,9e-7,2e-6,3e-6\n"
+    );
+    write
+    (
+        "postProcessing/v/0/volume.csv",
+        "time [s],volume [m3],particleVolume [m3],crowded [m3],drift [%]\n0,1e-9,1e-9,1e-9,0\n0.1,1.1e-9,1e-9,1e-9,10\n"
+    );
+    write
+    (
+        "postProcessing/s/0/spreadDiameter.csv",
+        "time [s],wall,normalX,normalY,normalZ,wettedArea [m2],wettedDiameter [m],wettedExtent [m],liquidExtent [m],height [m]\n"
+        "0,tank,0,0,1,1e-6,1e-3,1e-3,2e-3,1e-3\n0,tank,nan,nan,nan,0,0,0,nan,nan\n"
+        "0.1,tank,0,0,1,2e-6,2e-3,1e-3,2e-3,1e-3\n0.1,tank,1,0,0,1e-6,1e-3,1e-3,2e-3,1e-3\n"
+    );
+    write
+    (
+        "postProcessing/p/0/probes.csv",
+        "time [s],probe,x [m],y [m],z [m],fill,Ux [m/s],p [Pa]\n0,0,0,0,1e-3,1,0.1,10\n0,1,0,0,2e-3,0,nan,nan\n"
+        "0.1,0,0,0,1e-3,1,0.2,20\n0.1,1,0,0,2e-3,0,nan,nan\n"
+    );
+    const Outcome outcome = plot("-case " + path().string());
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const auto drawn = [&](const std::string& table, const std::vector<std::string>& texts)
+    {
+        const std::string file = "postProcessing/" + table;
+        EXPECT_EQ(read(file + ".png").substr(1, 3), "PNG") << table;
+        EXPECT_TRUE(holds(read(file + ".svg"), texts)) << table;
+    };
+    drawn("e/0/energy", {"energy [µJ]", "kinetic", "gravitational", "surface", "total", "time [ms]"});
+    drawn("v/0/volume", {"volumes [mm3]", "particleVolume", "crowded", "drift [%]"});
+    drawn("s/0/spreadDiameter", {"wettedArea [mm2]", "wettedDiameter [mm]", "height [mm]", "tank (0 0 1)", "tank (1 0 0)"});
+    drawn("p/0/probes", {"Ux [m/s]", "p [Pa]", "probe 0 (0 0 1) mm", "probe 1 (0 0 2) mm", "fill"});
 }
 
 TEST_F(DropCase, PlotCaseDrawsASweep)

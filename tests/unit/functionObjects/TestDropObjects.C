@@ -96,7 +96,8 @@ TEST(SpreadDiameter, MeasuresTheFoot)
     EXPECT_NEAR(flow.value(table, "wettedExtent"), 2*radius, 1.2*d);
     const double area = flow.value(table, "wettedArea");
     EXPECT_NEAR(flow.value(table, "wettedDiameter"), 2*std::sqrt(area/pi), 1e-8);
-    EXPECT_NEAR(flow.value(table, "liquidExtent"), 2*radius, 0.5*d);
+    // Particles at the rim, whose centres are in the ball, stand out by up to half a spacing on either side.
+    EXPECT_NEAR(flow.value(table, "liquidExtent"), 2*radius, d);
     EXPECT_NEAR(flow.value(table, "height"), radius, 0.5*d);
 
     flow.step(halfBall({0, 0, 5}));             // it has left the wall

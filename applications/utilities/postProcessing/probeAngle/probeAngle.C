@@ -53,6 +53,7 @@ void probeAngle(const Arguments& args)
     CsvFile table = dropTable(args.casePath()/"postProcessing/probeAngle"/times.front().name/"angle.csv");
     for (const TimeFolder& time : times)
     {
+        measurement.readPrescribed(time.value);
         const std::vector<DropRecord> records = measurement.measure
         (
             readSurface(liquidSurfaceFile(time.path)), readLiquidPositions(time.path), time.value

@@ -63,12 +63,13 @@ std::string describe(Row& row)
 std::string angleCaption(const std::filesystem::path& casePath, double time)
 {
     std::filesystem::path newest;
-    const auto folder = casePath/"postProcessing/probeAngle";
+    const auto folder = casePath/"postProcessing";
     if (!std::filesystem::is_directory(folder)) return "";
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
     {
-        const auto file = entry.path()/"angle.csv";
-        if (!std::filesystem::exists(file) || rowsAt(file, time).empty()) continue;
+        const auto& file = entry.path();
+        const bool table = file.filename() == "angle.csv" || file.filename() == "contactAngle.csv";
+        if (!table || rowsAt(file, time).empty()) continue;
         const bool newer = newest.empty()
           || std::filesystem::last_write_time(file) > std::filesystem::last_write_time(newest);
         if (newer) newest = file;

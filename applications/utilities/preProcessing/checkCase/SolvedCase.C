@@ -18,7 +18,7 @@ SolvedCase::SolvedCase(const std::filesystem::path& casePath, Findings& findings
     findings.attempt([&] { time.emplace(path); });
     readLiquid(findings);
     readWallsAndModels(findings);
-    if (time) findings.attempt([&] { FunctionObjects(*time, true); });
+    readFunctions(findings);
     readParticles(findings);
     readDictionaries(findings);
 }
@@ -67,6 +67,19 @@ void SolvedCase::readModelsApart(Liquid& standIn, Walls* walls, Findings& findin
     if (walls) findings.attempt([&] { InterParticleForces(*models, standIn, *walls); });
     if (solution_) findings.attempt([&] { Pressure::New(*models, *solution_, standIn); });
     findings.attempt([&] { Viscosity::New(*models, standIn); });
+}
+
+void SolvedCase::readFunctions(Findings& findings)
+{
+    if (!time) return;
+    findings.attempt([&]
+    {
+        FunctionObjects functions(*time, liquid ? liquid->properties().spacing : water.spacing, true);
+        if (!liquid || !walls || !models) return;
+        const Neighbourhood near(*liquid);
+        FlowView flow(*time, *liquid, near, *walls, *models);
+        functions.modelsMade(flow);
+    });
 }
 
 void SolvedCase::readParticles(Findings& findings)

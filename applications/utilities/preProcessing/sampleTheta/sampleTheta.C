@@ -36,17 +36,6 @@ void report(const SolidParticles& solid, const std::vector<double>& theta)
     }
 }
 
-FieldData toField(const std::vector<double>& theta)
-{
-    FieldData field{"theta", FieldType::scalar, dimensions::none, false, theta};
-    if (std::adjacent_find(theta.begin(), theta.end(), std::not_equal_to<>()) == theta.end())
-    {
-        field.uniform = true;
-        field.values.resize(1);
-    }
-    return field;
-}
-
 void run(const Arguments& args)
 {
     const std::filesystem::path& casePath = args.casePath();
@@ -76,7 +65,7 @@ void run(const Arguments& args)
         return;
     }
     report(solid, theta);
-    writeField(casePath/"0"/"solid"/"theta", toField(theta), format);
+    writeTheta(casePath/"0", theta, format);
     std::cout << "Wrote 0/solid/theta\n";
 }
 

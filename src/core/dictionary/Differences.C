@@ -1,0 +1,62 @@
+#include "core/dictionary/Differences.H"
+
+#include "core/dictionary/DictionaryNode.H"
+#include "core/dictionary/DictionaryWriter.H"
+
+#include <sstream>
+
+namespace shizuku
+{
+
+namespace
+{
+
+std::string valueOf(const Tree& entry)
+{
+    std::ostringstream stream;
+    writeValue(stream, entry);
+    std::string text = stream.str();
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    return text;
+}
+
+bool isDictionary(const Tree* entry)
+{
+    return entry && entry->data().kind == NodeKind::dictionary;
+}
+
+void compare(Tree* before, Tree* after, const std::string& path, std::vector<EntryChange>& changes);
+
+// The entries of two dictionaries, either of which may be absent.
+void compareEntries(Tree* before, Tree* after, const std::string& path, std::vector<EntryChange>& changes)
+{
+    const auto visit = [&](Tree& dictionary, bool onlyNew)
+    {
+        for (const auto& [key, entry] : dictionary)
+        {
+            const auto find = [&](Tree* tree) { return tree ? findSameKeyword(*tree, key, entry.data().style) : nullptr; };
+            if (onlyNew && find(before)) continue;
+            compare(find(before), find(after), path.empty() ? key : path + "." + key, changes);
+        }
+    };
+    if (before) visit(*before, false);
+    if (after) visit(*after, true);
+}
+
+void compare(Tree* before, Tree* after, const std::string& path, std::vector<EntryChange>& changes)
+{
+    if ((isDictionary(before) || !before) && (isDictionary(after) || !after)) return compareEntries(before, after, path, changes);
+    const std::string first = before ? valueOf(*before) : "absent", second = after ? valueOf(*after) : "absent";
+    if (first != second) changes.push_back({path, first, second});
+}
+
+}
+
+std::vector<EntryChange> differences(const Dictionary& before, const Dictionary& after)
+{
+    std::vector<EntryChange> changes;
+    compareEntries(&DictionaryAccess::tree(before), &DictionaryAccess::tree(after), "", changes);
+    return changes;
+}
+
+}

@@ -1,0 +1,229 @@
+// Dictionaries that are edited while the solver runs.
+
+#include "SolverCase.H"
+
+#include "support/Process.H"
+
+#include <cmath>
+#include <sstream>
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+constexpr double deltaT = 1e-3;         // s
+
+class Changes : public SolverCase
+{
+protected:
+    Changes() { begin("runTimeModifiable yes;"); }
+
+    // A run of a minute's simulated time, unless something stops it.
+    void begin(const std::string& more) const { control(frame + "endTime 60; " + more); }
+
+    // Edits while the solver stands still after some steps, waits until the log holds `answer`, and stops it. Returns the log.
+    std::string editedRun(const std::function<void()>& edit, const std::string& answer, const std::string& stop = "writeNow") const
+    {
+        Process process(command("pbfDroplet", ""), folder_.path()/"log");
+        const auto steps = [&] { return stepsOf(process.log()).size(); };
+        EXPECT_TRUE(process.runUntil([&] { return steps() > 2; })) << process.log();
+        process.pause();
+        edit();
+        process.resume();
+        EXPECT_TRUE(process.runUntil([&] { return process.log().find(answer) != std::string::npos; })) << process.log();
+        const std::size_t then = steps();
+        EXPECT_TRUE(process.runUntil([&] { return steps() > then + 2; })) << process.log();
+        begin("runTimeModifiable yes; stopAt " + stop + ";");
+        EXPECT_EQ(process.wait(), 0) << process.log();
+        return process.log();
+    }
+
+    static std::size_t stepsBefore(const std::string& log, const std::string& text)
+    {
+        return stepsOf(log.substr(0, log.find(text))).size();
+    }
+
+    // The folder of the last time, its name aside.
+    Contents liquidAfter(std::size_t steps) const
+    {
+        std::ostringstream name;
+        name << deltaT*double(steps);
+        return contents(name.str() + "/liquid");
+    }
+
+    void solveTo(std::size_t steps) const
+    {
+        control(frame + "endTime " + std::to_string(deltaT*double(steps)) + ";");
+        const Outcome outcome = solve();
+        ASSERT_EQ(outcome.status, 0) << outcome.text;
+    }
+
+    const std::string frame = "writeInterval 1000000; writeFormat binary; ";
+    const std::string made = "the models were made anew";
+};
+
+INSTANTIATE_TEST_SUITE_P(Devices, Changes, testing::ValuesIn(devices()));
+
+}
+
+// sigma, gravity, theta of the analytic and of the sampled wall at once: the run goes on as one that is restarted with them.
+TEST_P(Changes, actAsARestartWithThemWould)
+{
+    const std::string theta = read("0/solid/theta");
+    const auto edit = [&]
+    {
+        write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma 0.2;\n");
+        write("constant/g", "value (0 3 -2);\n");
+        write("constant/wettability", "floor { theta 120; }\nside { theta 30; }\n");
+    };
+    const std::string log = editedRun(edit, made);
+    EXPECT_TRUE(holds
+    (
+        log,
+        {
+            "constant/liquidProperties: sigma: 0.0728 -> 0.2\n", "constant/g: value: (0 0 -9.81) -> (0 3 -2)\n",
+            "constant/wettability: floor.theta: 60 -> 120\n", "constant/wettability: side.theta: 90 -> 30\n",
+            "solid/theta: 60 -> 120 degrees\n"
+        }
+    ));
+    const std::size_t before = stepsBefore(log, made), all = stepsOf(log).size();
+    ASSERT_GE(before, 3u);
+    ASSERT_GE(all, before + 3);
+    const Contents live = liquidAfter(all);
+    EXPECT_EQ(live.size(), 4u);             // positions, U, densityRatio, id
+    const std::string rewritten = read("0/solid/theta");
+
+    // The same in two runs, and theta by sampleTheta.
+    removeResults();
+    write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma 0.0728;\n");
+    write("constant/g", "value (0 0 -9.81);\n");
+    write("constant/wettability", "floor { theta 60; }\nside { theta 90; }\n");
+    write("0/solid/theta", theta);
+    solveTo(before);
+    edit();
+    ASSERT_EQ(run(program("sampleTheta") + " -case " + path().string()).status, 0);
+    EXPECT_EQ(read("0/solid/theta"), rewritten);
+    solveTo(all);
+    EXPECT_TRUE(same(live, liquidAfter(all)));
+
+    // And not because nothing has changed.
+    removeResults();
+    write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma 0.0728;\n");
+    solveTo(all);
+    EXPECT_FALSE(same(live, liquidAfter(all)));
+}
+
+TEST_P(Changes, ofSolidThetaBySampleTheta)
+{
+    const std::string log = editedRun
+    (
+        [&]
+        {
+            std::string theta = read("0/solid/theta");
+            for (std::size_t at; (at = theta.find("\n60\n")) != std::string::npos;) theta.replace(at, 4, "\n75\n");
+            write("0/solid/theta", theta);
+        },
+        made
+    );
+    EXPECT_TRUE(holds(log, {"solid/theta: 60 -> 75 degrees"}));
+}
+
+// A wrong edit is left out, each with its reason: the run ends as one that nobody touched.
+TEST_P(Changes, thatAreWrongAreLeftOut)
+{
+    const std::pair<const char*, std::pair<std::string, std::string>> edits[] =
+    {
+        {"constant/liquidProperties", {"rho 998;\nnu 1e-6;\nsig", "the former values stay in force"}},
+        {"constant/liquidProperties", {"rho 998;\nnu 1e-6;\nsigma -1;\n", "'sigma' is -1"}},
+        {"constant/liquidProperties", {"rho 1200;\nnu 1e-6;\nsigma 0.07;\n", "'rho' was changed from 998 to 1200"}},
+        {"system/solution", {"spacing 2e-3;\npressure { maxIterations 6; }\n", "'spacing' was changed from 1e-3 to 2e-3"}},
+        {"constant/wettability", {"floor { theta 200; }\nside { theta 90; }\n", "is 200"}},
+        {
+            "constant/models",
+            {
+                "pressure pbf;\nsurfaceTension Fujsawa;\nwetting contactAngle;\nviscosity XSPH;\nbodyForce gravity;\n",
+                "Unknown surfaceTension model 'Fujsawa'"
+            }
+        },
+        {"constant/g", {"value (0 0 fast);\n", "the word 'fast'"}}
+    };
+    const std::string theta = read("0/solid/theta");
+    Process process(command("pbfDroplet", ""), folder_.path()/"log");
+    ASSERT_TRUE(process.runUntil([&] { return stepsOf(process.log()).size() > 1; })) << process.log();
+    for (const auto& [file, textAndAnswer] : edits)
+    {
+        const std::string good = read(file);
+        const auto& [text, answer] = textAndAnswer;
+        // At once, as an editor does.
+        write(std::string(file) + ".new", text);
+        std::filesystem::rename(path()/(std::string(file) + ".new"), path()/file);
+        ASSERT_TRUE(process.runUntil([&] { return holds(process.log(), {answer, "is left out"}); })) << file << process.log();
+        write(std::string(file) + ".new", good);
+        std::filesystem::rename(path()/(std::string(file) + ".new"), path()/file);
+    }
+    begin("runTimeModifiable yes; stopAt writeNow;");
+    ASSERT_EQ(process.wait(), 0) << process.log();
+    EXPECT_TRUE(holds(process.log(), {"--> WARNING"}));
+    EXPECT_EQ(read("0/solid/theta"), theta);
+    const std::size_t all = stepsOf(process.log()).size();
+    const Contents live = liquidAfter(all);
+    EXPECT_EQ(live.size(), 4u);
+    removeResults();
+    solveTo(all);
+    EXPECT_TRUE(same(live, liquidAfter(all)));
+}
+
+TEST_P(Changes, ofControlDictAreNamed)
+{
+    const std::string log = editedRun
+    (
+        [&] { begin("runTimeModifiable yes; maxCo 0.25; functions { size { type volume; } }"); }, "maxCo", "noWriteNow"
+    );
+    EXPECT_TRUE(holds
+    (
+        log,
+        {
+            "system/controlDict anew", "    maxCo: absent -> 0.25\n",
+            "    functions.size.type: absent -> volume   (acts at the next start)\n", "    stopAt: absent -> noWriteNow\n"
+        }
+    ));
+    EXPECT_EQ(folder_.list("case"), (std::vector<std::string>{"0", "constant", "system"}));
+}
+
+TEST_P(Changes, nextWriteStopsWithTheNextWrite)
+{
+    const std::string log = editedRun([&] { begin("runTimeModifiable yes; writeInterval 40;"); }, "writeInterval", "nextWrite; writeInterval 40");
+    const std::size_t all = stepsOf(log).size();
+    EXPECT_EQ(all % 40, 0u);
+    EXPECT_EQ(liquidAfter(all).size(), 4u);
+    // No step behind the write that was next when the change came.
+    EXPECT_LE(all - stepsBefore(log, "nextWrite"), 40u);
+}
+
+TEST_P(Changes, areIgnoredUnlessTheyAreAllowed)
+{
+    begin("endTime 0.03;");
+    Process process(command("pbfDroplet", ""), folder_.path()/"log");
+    ASSERT_TRUE(process.runUntil([&] { return stepsOf(process.log()).size() > 2; })) << process.log();
+    write("constant/g", "value (0 0 fast);\n");
+    ASSERT_EQ(process.wait(), 0) << process.log();
+    EXPECT_EQ(process.log().find("WARNING"), std::string::npos);
+    EXPECT_EQ(stepsOf(process.log()).size(), 30u);
+}
+
+// Pressure at a probe goes on being kept by the model that was made anew.
+TEST_P(Changes, leaveProbesTheirPressure)
+{
+    begin("runTimeModifiable yes; functions { gauges { type probes; fields (p); probeLocations ((0 0 2e-3)); } }");
+    const std::string log = editedRun([&] { write("constant/g", "value (0 0 -5);\n"); }, made);
+    std::istringstream table(read("postProcessing/gauges/0/probes.csv"));
+    std::string line;
+    std::getline(table, line);
+    std::size_t rows = 0;
+    for (; std::getline(table, line); ++rows) EXPECT_EQ(line.find("nan"), std::string::npos) << line;
+    EXPECT_EQ(rows, stepsOf(log).size());
+}
+
+}
