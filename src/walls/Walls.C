@@ -96,11 +96,13 @@ struct KeepOutside
 
 // The layer's height below a liquid particle is the average over the solid particles around it, r.n weighted by distance
 // (B. Adams and M. Wicke, Eurographics tutorial 2009). Where their normals cancel, in a plate as thin as the layer itself,
-// no side is the inner one; where none of them is below the particle, it is beside the layer's border.
+// no side is the inner one; where none of them is below the particle, it is beside the layer's border. No more is taken back
+// than this step came nearer: around sharp edges the average height jumps, and what followed it would gain speed.
 struct KeepBeforeLayer
 {
     WallParticlesView wall;
     float support, spacing;
+    Span<const Vec3> position;
     Span<Vec3> predicted;
 
     HOST_DEVICE void operator()(int i) const
@@ -121,7 +123,9 @@ struct KeepBeforeLayer
         });
         if (aside >= spacing * spacing) return;
         const float lacking = 0.25f * spacing - height / weights, agreement = norm(normal) / weights;
-        if (lacking > 0 && agreement > 0.5f) predicted[i] += lacking / norm(normal) * normal;
+        if (lacking <= 0 || agreement < 0.5f) return;
+        const Vec3 outwards = (1 / norm(normal)) * normal;
+        predicted[i] += fminf(lacking, fmaxf(0, dot(position[i] - x, outwards))) * outwards;
     }
 };
 
@@ -281,7 +285,11 @@ void Walls::project(Liquid& liquid) const
     {
         forEach
         (
-            liquid.owned(), KeepBeforeLayer{view().particles, liquid.support(), liquid.spacing(), liquid.predicted.span()}
+            liquid.owned(),
+            KeepBeforeLayer
+            {
+                view().particles, liquid.support(), liquid.spacing(), liquid.position.span(), liquid.predicted.span()
+            }
         );
     }
 }

@@ -84,23 +84,28 @@ TEST(Walls, PutLiquidBackHalfASpacingOutside)
 TEST(Walls, StopLiquidAQuarterOfASpacingBeforeALayer)
 {
     LiquidCase drop({.walls = sampledFloor, .solidPositions = latticeBlock(9, 9, 1, 1, {-4, -4, -0.5f})});
-    // Before the layer, too near to it, behind it, and beside its border at 4 spacings.
-    drop.place({{0.3f, 0.2f, -0.24f}, {-2, 1.5f, -0.4f}, {2.1f, -1.2f, -0.9f}, {5.2f, 0, -0.9f}});
+    // Before the layer, too near to it, behind it, beside its border at 4 spacings, and too near to it before the step.
+    drop.place({{0.3f, 0.2f, -0.24f}, {-2, 1.5f, -0.4f}, {2.1f, -1.2f, -0.9f}, {5.2f, 0, -0.9f}, {0, 2, -0.4f}});
+    const float d = drop.liquid.spacing();
+    auto before = drop.liquid.position.download();
+    for (Vec3& x : before) x.z = x.x == 0 ? -0.35f * d : 0;
+    drop.liquid.position.upload(before);
     drop.walls.project(drop.liquid);
     const auto moved = drop.inOrder(drop.liquid.predicted);
-    const float d = drop.liquid.spacing();
     EXPECT_EQ(moved[0].z, -0.24f * d);
     // Averages of equal heights of half a unit, rounded to 1e-7.
     EXPECT_NEAR(moved[1].z, -0.25f * d, 1e-6);
     EXPECT_NEAR(moved[2].z, -0.25f * d, 1e-6);
     EXPECT_EQ(moved[2].x, 2.1f * d);
     EXPECT_EQ(moved[3].z, -0.9f * d);
+    EXPECT_NEAR(moved[4].z, -0.35f * d, 1e-6);
 }
 
 TEST(Walls, HaveNoInnerSideWhereNormalsCancel)
 {
     LiquidCase drop({.walls = sampledFloor, .solidPositions = latticeBlock(9, 9, 1, 1, {-4, -4, -0.5f}), .solidNormal = {}});
     drop.place({{0, 0, -0.4f}});
+    drop.liquid.position.upload(std::vector<Vec3>{{0, 0, 0}});
     drop.walls.project(drop.liquid);
     EXPECT_EQ(drop.inOrder(drop.liquid.predicted)[0].z, -0.4f * drop.liquid.spacing());
 }
