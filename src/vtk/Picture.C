@@ -24,6 +24,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
+#include <vtkRegularPolygonSource.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
@@ -209,6 +210,40 @@ void addMatteSurface(vtkRenderer& renderer, const TriangleMesh& mesh)
     renderer.AddActor(actor);
 }
 
+// Discs on the floor, blue where it wets best and light where least; the floor's shadow shines through.
+void addPattern(vtkRenderer& renderer, const PictureScene& scene)
+{
+    const Vector3& n = scene.floor->normal;
+    vtkNew<vtkRegularPolygonSource> disc;
+    disc->SetNumberOfSides(6);
+    disc->SetNormal(n.x, n.y, n.z);
+    disc->SetRadius(0.6*scene.spacing);
+    disc->GeneratePolylineOff();
+
+    vtkNew<vtkFloatArray> theta;
+    for (const double value : scene.theta) theta->InsertNextValue(float(value));
+    vtkNew<vtkPolyData> points;
+    points->SetPoints(toPoints(scene.pattern));
+    points->GetPointData()->SetScalars(theta);
+
+    vtkNew<vtkLookupTable> colours;
+    colours->SetHueRange(0.57, 0.1);
+    colours->SetSaturationRange(0.5, 0.08);
+    colours->SetValueRange(0.6, 0.95);
+    colours->Build();
+    vtkNew<vtkGlyph3DMapper> mapper;
+    mapper->SetInputData(points);
+    mapper->SetSourceConnection(disc->GetOutputPort());
+    mapper->ScalingOff();
+    mapper->SetLookupTable(colours);
+    mapper->SetScalarRange(theta->GetRange());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetLighting(false);
+    actor->GetProperty()->SetOpacity(0.65);
+    renderer.AddActor(actor);
+}
+
 // Particles coloured by speed, dark blue to light, with a scalar bar.
 void addParticles(vtkRenderer& renderer, const PictureScene& scene)
 {
@@ -269,7 +304,8 @@ void addLight(vtkRenderer& renderer, const Stage& stage, const Vector3& towards,
 
 void aimCamera(vtkRenderer& renderer, const Stage& stage, const PictureView& view)
 {
-    const double elevation = (view.kind == PictureView::Kind::side ? 3 : 20)*std::numbers::pi/180;
+    using Kind = PictureView::Kind;
+    const double elevation = (view.kind == Kind::side ? 3 : view.kind == Kind::above ? 55 : 20)*std::numbers::pi/180;
     const double opening = 24;      // degrees, of the picture's height
     const double room = 1.15;       // how much larger than the stage the picture's smaller side is
     const double aspect = std::min(1.0, double(view.width)/view.height);
@@ -347,6 +383,7 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
     {
         renderer->AddActor(studioFloor(*scene.floor, scene.liquid, stage.centre, stage.radius, -keyLight));
     }
+    if (scene.floor && !scene.pattern.empty()) addPattern(*renderer, scene);
     if (!scene.caption.empty()) addCaption(*renderer, scene.caption, oversampling*view.height);
 
     vtkNew<vtkRenderWindow> window;

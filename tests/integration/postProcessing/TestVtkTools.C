@@ -25,11 +25,10 @@ struct Picture
 {
     int width = 0, height = 0;
     double variation = 0;           // standard deviation of all channels' levels (0 to 255)
-    double middle[3] = {0, 0, 0};   // colour in the middle
+    vtkNew<vtkPNGReader> reader;
 
     explicit Picture(const fs::path& file)
     {
-        vtkNew<vtkPNGReader> reader;
         reader->SetFileName(file.c_str());
         reader->Update();
         vtkImageData& image = *reader->GetOutput();
@@ -47,7 +46,14 @@ struct Picture
         }
         const double n = 3.0*pixels.GetNumberOfTuples();
         variation = std::sqrt(squares/n - sum/n*sum/n);
-        for (int c = 0; c < 3; ++c) middle[c] = image.GetScalarComponentAsDouble(width/2, height/2, 0, c);
+    }
+
+    // Blue less red at parts of width and height, from the lower left.
+    double blueness(double x, double y) const
+    {
+        vtkImageData& image = *reader->GetOutput();
+        const auto level = [&](int c) { return image.GetScalarComponentAsDouble(int(x*width), int(y*height), 0, c); };
+        return level(2) - level(0);
     }
 };
 
@@ -171,7 +177,7 @@ TEST_F(DropCase, RenderCaseShowsTheSurfaceAsWater)
     writeTime("0", {drop(90)});
     writeTime("0.01", {drop(100)});
     ASSERT_EQ(call("probeAngle").status, 0);
-    for (const std::string view : {"side", "perspective"})
+    for (const std::string view : {"side", "perspective", "above"})
     {
         const fs::path file = path()/(view + ".png");
         const Outcome outcome = call("renderCase", "-size 320x200 -view " + view + " -output " + file.string());
@@ -183,8 +189,24 @@ TEST_F(DropCase, RenderCaseShowsTheSurfaceAsWater)
         // A blank picture varies by nothing, its background alone by some ten levels.
         EXPECT_GT(picture.variation, 20) << view;
         // Water stands in the middle: more blue than red. The background and the floor differ by less than 40.
-        EXPECT_GT(picture.middle[2] - picture.middle[0], 60) << view;
+        EXPECT_GT(picture.blueness(0.5, 0.5), 60) << view;
     }
+}
+
+// The floor's angles, 60 degrees for x < 0 and 100 beyond, are seen as blue and light; the same angle everywhere as nothing.
+TEST_F(DropCase, RenderCaseShowsThePatternOfAFloor)
+{
+    writeTime("0", {drop(90)});
+    const auto difference = [&]
+    {
+        const Outcome outcome = call("renderCase", "-size 160x100 -view above");
+        EXPECT_EQ(outcome.status, 0) << outcome.text;
+        const Picture picture(path()/"case.png");
+        return picture.blueness(0.5, 0.05) - picture.blueness(0.9, 0.05);
+    };
+    EXPECT_GT(difference(), 20);
+    writeField(path()/"0/solid/theta", {"theta", FieldType::scalar, dimensions::none, true, {60}}, {});
+    EXPECT_NEAR(difference(), 0, 5);
 }
 
 TEST_F(DropCase, RenderCaseShowsParticlesWhereThereIsNoSurface)
@@ -194,7 +216,7 @@ TEST_F(DropCase, RenderCaseShowsParticlesWhereThereIsNoSurface)
     ASSERT_EQ(outcome.status, 0) << outcome.text;
     const Picture picture(path()/"case.png");       // named after the case
     EXPECT_GT(picture.variation, 20);
-    EXPECT_GT(picture.middle[2] - picture.middle[0], 60);
+    EXPECT_GT(picture.blueness(0.5, 0.5), 60);
 }
 
 TEST_F(DropCase, RenderCaseNeedsNoDisplay)

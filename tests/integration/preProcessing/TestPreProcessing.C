@@ -236,4 +236,82 @@ TEST_F(PreProcessing, liquidInsideASolidIsRefused)
     expectRefusal("fillLiquid", {"Liquid inside of other liquid", "'a'", "'b'"}, "0/liquid");
 }
 
+TEST_F(PreProcessing, bodiesAreCarvedTurnedAndTakenFromSurfaces)
+{
+    expectSuccess("sampleSurface", {});
+    folder_.write("constant/triSurface/body.stl", stlText(cube(8), "body"));
+    // The block stands on the floor; of the ball the part below it and the part in the block are left out.
+    fill
+    (
+        "block { type surface; file \"body.stl\"; scale 0.001; translate (2e-3 2e-3 0); angularVelocity (0 0 10); }\n"
+        "ball { type sphere; centre (0.012 6e-3 2e-3); radius 5e-3; overlaps carve; velocity (1 0 0); }"
+    );
+    expectSuccess
+    (
+        "fillLiquid",
+        {"block: 512 particles, volume 5.12e-07 m3, of the shape 5.12e-07 m3 (", "angular velocity (0 0 10) rad/s",
+         "left out", "Liquid inside a solid, the wall 'floor'", "Liquid inside of other liquid, the body 'block'"}
+    );
+    const FieldData positions = readField(casePath()/"0/liquid/positions", FieldType::vector, dimensions::length);
+    const FieldData U = readField(casePath()/"0/liquid/U", FieldType::vector, dimensions::velocity, positions.elements());
+    for (std::size_t i = 0; i < positions.elements(); ++i)
+    {
+        ASSERT_GT(positions(i, 2), 0.39e-3);
+        if (i >= 512)
+        {
+            ASSERT_EQ(U(i, 0), 1);
+            ASSERT_FALSE(positions(i, 0) < 0.01 && std::abs(positions(i, 1) - 6e-3) < 4e-3 && positions(i, 2) < 8e-3);
+        }
+        else ASSERT_NEAR(U(i, 1), 10*(positions(i, 0) - 6e-3), 1e-9);
+    }
+
+    folder_.write("constant/triSurface/body.stl", stlText(rectangle(8, 8), "body"));
+    std::filesystem::remove_all(casePath()/"0/liquid");
+    expectRefusal("fillLiquid", {"body.stl", "encloses no body", "4 open edges", "fillLiquidDict", "3"}, "0/liquid");
+    fill("ball { type sphere; centre (0.01 0.01 0.01); radius 2e-3; overlaps cut; }");
+    expectRefusal("fillLiquid", {"'cut'", "carve", "refuse"}, "0/liquid");
+}
+
+TEST_F(PreProcessing, patternsReachTheParticles)
+{
+    expectSuccess("sampleSurface", {});
+    const SolidParticles solid = readSolidParticles(casePath());
+    const auto theta = [&] { return readField(casePath()/"0/solid/theta", FieldType::scalar, dimensions::none); };
+    folder_.write
+    (
+        "constant/wettability", "floor { type stripes; theta (30 110); direction (1 0 0); period 5e-3; phase 0.1; }"
+    );
+    expectSuccess("sampleTheta", {"theta 30 to 110"});
+    const FieldData stripes = theta();
+    for (std::size_t i = 0; i < solid.positions.size(); ++i)
+    {
+        const double periods = solid.positions[i].x/5e-3 - 0.1;
+        if (std::abs(2*periods - std::round(2*periods)) < 1e-6) continue;       // on an edge, but for nine digits
+        ASSERT_EQ(stripes(i), periods - std::floor(periods) < 0.5 ? 30 : 110) << solid.positions[i].x;
+    }
+    folder_.write("constant/wettability", "floor { type expression; theta \"90 + 1e3*x\"; }");
+    expectSuccess("sampleTheta", {});
+    const FieldData slope = theta();
+    for (std::size_t i = 0; i < solid.positions.size(); ++i) ASSERT_NEAR(slope(i), 90 + 1e3*solid.positions[i].x, 1e-6);
+
+    // The tutorial's image, a black cross of a fifth of its width on white; a build without VTK has no images.
+    const std::filesystem::path build = std::getenv("SHIZUKU_BUILD"), source = std::getenv("SHIZUKU_DIR");
+    if (!std::filesystem::exists(build/"bin/renderCase")) GTEST_SKIP() << "built without VTK";
+    std::filesystem::copy(source/"tutorials/patternedSurface/constant/cross.png", casePath()/"constant/cross.png");
+    folder_.write
+    (
+        "constant/wettability",
+        "floor { type image; file \"cross.png\"; theta (20 130); origin (0 0 0); width (0.02 0 0); height (0 0.02 0); }"
+    );
+    expectSuccess("sampleTheta", {"theta 20 to 130"});
+    const FieldData cross = theta();
+    int black = 0;
+    for (std::size_t i = 0; i < solid.positions.size(); ++i) black += cross(i) == 20;
+    // Two arms of 0.2 x 0.9 of the image, less the middle that they share: 32 % of it, to the row at their edges.
+    EXPECT_NEAR(black/double(solid.positions.size()), 0.32, 0.03);
+    folder_.write("constant/cross.png", "no image");
+    std::filesystem::remove(casePath()/"0/solid/theta");
+    expectRefusal("sampleTheta", {"neither PNG nor JPEG", "cross.png"}, "0/solid/theta");
+}
+
 }

@@ -2,6 +2,7 @@
 
 #include "AngleCaption.H"
 #include "CurvedWalls.H"
+#include "FloorPattern.H"
 
 #include "core/arguments/runApplication.H"
 #include "core/dictionary/Dictionary.H"
@@ -41,7 +42,9 @@ TimeFolder chosenTime(const Arguments& args)
 PictureView readView(const Arguments& args)
 {
     PictureView view;
-    view.kind = args.get("view") == "side" ? PictureView::Kind::side : PictureView::Kind::perspective;
+    const std::string kind = args.get("view");
+    view.kind = kind == "side" ? PictureView::Kind::side
+        : kind == "above" ? PictureView::Kind::above : PictureView::Kind::perspective;
     const std::string size = args.get("size");
     constexpr int largest = 8192;       // twice that, oversampled, is what graphics drivers take
     std::smatch match;
@@ -122,6 +125,7 @@ void render(const Arguments& args)
     scene.spacing = readSpacing(args.casePath());
     addLiquid(scene, time);
     addWalls(scene, args.casePath());
+    addFloorPattern(scene, args.casePath(), time);
     scene.up = upward(args.casePath(), scene.floor);
     std::ostringstream caption;
     caption << args.casePath().filename().string() << ", t = " << 1e3*time.value << " ms";
@@ -143,7 +147,7 @@ int main(int argc, char** argv)
     std::vector<Option> options = timeSelectionOptions();
     options.push_back({"output", "FILE", "the PNG; default: <case>/<name of the case>.png", ""});
     options.push_back({"size", "WxH", "pixels", "1600x1000"});
-    options.push_back({"view", "side|perspective", "level, or looking down", "perspective"});
+    options.push_back({"view", "side|perspective|above", "level, or looking down slightly or steeply", "perspective"});
     return runApplication
     (
         argc, argv,
