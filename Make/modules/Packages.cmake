@@ -60,7 +60,6 @@ find_package(CGAL QUIET)
 find_package(VTK 9 QUIET COMPONENTS
     CommonCore CommonDataModel IOXML FiltersCore FiltersGeometry FiltersSources RenderingCore
     RenderingOpenGL2 RenderingFreeType RenderingAnnotation ImagingCore IOImage IOGeometry IOPLY)
-list(REMOVE_ITEM VTK_LIBRARIES VTK::IOGeometry VTK::IOPLY)     # for the tests alone
 find_package(GTest QUIET)
 find_package(benchmark QUIET)
 foreach(package CGAL VTK GTest benchmark)
