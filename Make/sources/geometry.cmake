@@ -6,6 +6,8 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/LiquidFiles.C
     geometry/MeshTopology.C
     geometry/NearestPoint.C
+    geometry/ObjFile.C
+    geometry/PatchedSurface.C
     geometry/PlaneFit.C
     geometry/PlyFile.C
     geometry/PointsInside.C
@@ -52,6 +54,7 @@ set(SHIZUKU_SAMPLING_SOURCES
     geometry/sampling/LayerRelaxation.C
     geometry/sampling/PlanarLattice.C
     geometry/sampling/PoissonDisk.C
+    geometry/sampling/ShellUnion.C
     geometry/sampling/SurfaceDistance.C
     geometry/sampling/SurfaceFile.C
     geometry/sampling/SurfaceGeometry.C

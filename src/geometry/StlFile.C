@@ -20,31 +20,12 @@ namespace
 constexpr std::size_t binaryHeader = 84;    // 80 bytes of text, a 32-bit count
 constexpr std::size_t binaryFacet = 50;     // normal and three vertices as floats, two bytes of attributes
 
-int patchIndex(PatchedSurface& surface, const std::string& name)
-{
-    auto& names = surface.patches;
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found != names.end()) return static_cast<int>(found - names.begin());
-    names.push_back(name);
-    return static_cast<int>(names.size()) - 1;
-}
-
 void addFacet(PatchedSurface& surface, const std::array<Vector3, 3>& corners, int patch)
 {
     const int first = static_cast<int>(surface.mesh.vertices.size());
     surface.mesh.vertices.insert(surface.mesh.vertices.end(), corners.begin(), corners.end());
     surface.mesh.faces.push_back({first, first + 1, first + 2});
     surface.patch.push_back(patch);
-}
-
-std::string patchName(std::string word)
-{
-    for (char& c : word)
-    {
-        const bool plain = std::isalnum(static_cast<unsigned char>(c)) || std::strchr("_-.+:", c);
-        if (!plain) c = '_';
-    }
-    return word;
 }
 
 // Splits text into words and counts lines.
@@ -95,8 +76,8 @@ public:
         {
             if (word == "solid")
             {
-                const std::string name = patchName(std::string(words_.next(true)));
-                patch = patchIndex(surface, name.empty() ? unnamed_ : name);
+                const std::string name(words_.next(true));
+                patch = surface.patchIndex(name.empty() ? unnamed_ : name);
                 words_.skipLine();
             }
             else if (word == "facet" && patch >= 0)

@@ -1,9 +1,9 @@
 #include "geometry/sampling/SurfaceFile.H"
 
 #include "core/messages/Error.H"
+#include "geometry/ObjFile.H"
 #include "geometry/StlFile.H"
 
-#include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/Simple_cartesian.h>
@@ -23,14 +23,13 @@ PatchedSurface readPolygons(const std::filesystem::path& file, const std::string
 {
     std::vector<Point> points;
     std::vector<std::vector<std::size_t>> polygons;
-    const std::string name = file.string();
+    const std::string name = file.string(), format = extension == ".ply" ? "PLY" : "OFF";
     const bool good =
-        extension == ".obj" ? CGAL::IO::read_OBJ(name, points, polygons)
-      : extension == ".ply" ? CGAL::IO::read_PLY(name, points, polygons)
+        extension == ".ply" ? CGAL::IO::read_PLY(name, points, polygons)
       : CGAL::IO::read_OFF(name, points, polygons);
     if (!good || polygons.empty())
     {
-        throw FatalInputError({name, 0}, "The file is no " + extension.substr(1) + " surface, or has no face");
+        throw FatalInputError({name, 0}, "The file is no " + format + " surface, not all of one, or has no face");
     }
 
     PatchedSurface surface;
@@ -66,7 +65,8 @@ PatchedSurface readSurface(const std::filesystem::path& file, const std::string&
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
     if (extension == ".stl") return readStl(file, unnamed);
-    if (extension != ".obj" && extension != ".ply" && extension != ".off")
+    if (extension == ".obj") return readObj(file, unnamed);
+    if (extension != ".ply" && extension != ".off")
     {
         throw FatalInputError
         (

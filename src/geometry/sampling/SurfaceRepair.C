@@ -1,20 +1,21 @@
 #include "geometry/sampling/SurfaceRepair.H"
 
 #include "core/messages/Error.H"
+#include "geometry/sampling/ShellUnion.H"
+#include "geometry/sampling/SurfaceMesh.H"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace shizuku
 {
@@ -23,8 +24,8 @@ namespace
 {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Kernel = RepairKernel;
+using Mesh = RepairMesh;
 using Face = Mesh::Face_index;
 
 // Vertices nearer than this part of the surface's extent are one: single precision, as in a binary STL, cannot tell them
@@ -38,10 +39,11 @@ std::string count(std::size_t n, const std::string& what, const std::string& don
     return std::to_string(n) + " " + what + (n == 1 ? " " : "s ") + done;
 }
 
-double extentOf(const TriangleMesh& mesh)
+// The diagonal of the box around some points, m.
+double extentOf(const std::vector<Vector3>& points)
 {
-    Vector3 low = mesh.vertices.front(), high = low;
-    for (const Vector3& v : mesh.vertices)
+    Vector3 low = points.front(), high = low;
+    for (const Vector3& v : points)
     {
         for (int c = 0; c < 3; ++c)
         {
@@ -77,6 +79,7 @@ public:
         }
         if (degenerate > 0) report.push_back(count(degenerate, "degenerate triangle", "removed"));
         if (duplicate > 0) report.push_back(count(duplicate, "duplicate triangle", "removed"));
+        if (const std::size_t n = crowdedEdges()) report.push_back(count(n, "edge", "of more than two triangles cut apart"));
     }
 
     std::vector<Kernel::Point_3> points;
@@ -95,6 +98,24 @@ private:
             if (isNew) points.emplace_back(v.x, v.y, v.z);
             vertex_.push_back(place->second);
         }
+    }
+
+    // How many edges belong to more than two triangles.
+    std::size_t crowdedEdges() const
+    {
+        std::vector<std::pair<std::size_t, std::size_t>> edges;
+        for (const auto& face : faces)
+        {
+            for (int k = 0; k < 3; ++k) edges.push_back(std::minmax(face[k], face[(k + 1) % 3]));
+        }
+        std::sort(edges.begin(), edges.end());
+        std::size_t crowded = 0;
+        for (std::size_t i = 0, j = 0; i < edges.size(); i = j)
+        {
+            while (j < edges.size() && edges[j] == edges[i]) ++j;
+            if (j - i > 2) ++crowded;
+        }
+        return crowded;
     }
 
     // The smallest height of a triangle: zero also where all corners are on a line.
@@ -119,9 +140,11 @@ Mesh orient(Cleaning& soup, std::vector<std::string>& report)
 {
     std::vector<Vector3> before;
     for (const auto& face : soup.faces) before.push_back(areaVector(soup.points, face));
-    if (!PMP::orient_polygon_soup(soup.points, soup.faces))
+    const bool cut = !PMP::orient_polygon_soup(soup.points, soup.faces);
+    const auto isCrowded = [](const std::string& line) { return line.find("of more than two") != line.npos; };
+    if (cut && std::none_of(report.begin(), report.end(), isCrowded))
     {
-        report.push_back("edges of more than two triangles cut");
+        report.push_back("pieces that touch in a vertex, or that cannot agree on a side, cut apart");
     }
     Mesh mesh;
     PMP::polygon_soup_to_polygon_mesh(soup.points, soup.faces, mesh);
@@ -149,38 +172,42 @@ Mesh orient(Cleaning& soup, std::vector<std::string>& report)
     return mesh;
 }
 
-double borderLength(const Mesh& mesh, Mesh::Halfedge_index start)
+// How wide the hole is that a border goes around, m.
+double widthOf(const Mesh& mesh, Mesh::Halfedge_index border)
 {
-    double sum = 0;
-    for (const auto h : CGAL::halfedges_around_face(start, mesh))
-    {
-        sum += length(toVector(mesh.point(mesh.target(h))) - toVector(mesh.point(mesh.source(h))));
-    }
-    return sum;
+    std::vector<Vector3> points;
+    for (const auto h : CGAL::halfedges_around_face(border, mesh)) points.push_back(toVector(mesh.point(mesh.target(h))));
+    return extentOf(points);
 }
 
 // Closes the small holes; the new triangles belong to the patch of a neighbour.
-void closeHoles(Mesh& mesh, Mesh::Property_map<Face, int>& patch, double largest, std::vector<std::string>& report)
+void closeHoles(Mesh& mesh, RepairPatches& patch, double largest, std::vector<std::string>& report)
 {
     std::vector<Mesh::Halfedge_index> borders;
     PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
     std::size_t closed = 0, open = 0;
+    double widest = 0;
     for (const auto border : borders)
     {
         std::vector<Face> added;
-        if (borderLength(mesh, border) < largest)
+        const double width = widthOf(mesh, border);
+        if (width < largest)
         {
             const int neighbourPatch = patch[mesh.face(mesh.opposite(border))];
             PMP::triangulate_hole(mesh, border, std::back_inserter(added));
             for (const Face face : added) patch[face] = neighbourPatch;
         }
         ++(added.empty() ? open : closed);
+        if (added.empty()) widest = std::max(widest, width);
     }
     if (closed > 0) report.push_back(count(closed, "small hole", "closed"));
-    if (open > 0) report.push_back(count(open, "open border", "left open"));
+    if (open == 0) return;
+    std::ostringstream done;
+    done << "left open" << (open > 1 ? ", the widest " : ", ") << widest << " m wide";
+    report.push_back(count(open, "open border", done.str()));
 }
 
-PatchedSurface collect(const Mesh& mesh, const Mesh::Property_map<Face, int>& patch, std::vector<std::string> patches)
+PatchedSurface collect(const Mesh& mesh, const RepairPatches& patch, std::vector<std::string> patches)
 {
     PatchedSurface surface;
     surface.patches = std::move(patches);
@@ -201,7 +228,7 @@ PatchedSurface collect(const Mesh& mesh, const Mesh::Property_map<Face, int>& pa
 RepairedSurface repairSurface(const PatchedSurface& input, double largestHole, const std::string& file)
 {
     RepairedSurface result;
-    const double extent = extentOf(input.mesh);
+    const double extent = extentOf(input.mesh.vertices);
     std::vector<std::string>& report = result.report;
     if (!(extent > 0)) throw FatalInputError({file, 0}, "All vertices of the surface are one point");
 
@@ -209,10 +236,14 @@ RepairedSurface repairSurface(const PatchedSurface& input, double largestHole, c
     if (soup.faces.empty()) throw FatalInputError({file, 0}, "Every triangle of the surface is degenerate");
 
     Mesh mesh = orient(soup, report);
-    auto patch = mesh.add_property_map<Face, int>("f:patch", 0).first;
+    RepairPatches patch = patchesOf(mesh);
     for (const Face face : mesh.faces()) patch[face] = soup.patch[face];
     closeHoles(mesh, patch, std::min(largestHole, 0.5*extent), report);
-    result.surface = collect(mesh, patch, input.patches);
+    uniteShells(mesh, report);
+    result.surface = collect(mesh, patchesOf(mesh), input.patches);
+    auto shell = mesh.add_property_map<Face, std::size_t>("f:shell", 0).first;
+    result.shells = PMP::connected_components(mesh, shell);
+    result.closed = CGAL::is_closed(mesh);
     return result;
 }
 

@@ -14,7 +14,7 @@ namespace
     constexpr double smallestGap = 0.75;    // spacings
     constexpr double seedHole = 0.8;        // spacings: seeds as dense as discs at random can be
     constexpr double hole = 0.85;           // spacings: a particle fits with room to spare
-    constexpr double cover = 0.98;          // spacings: where the layer is cut off by edges or shared in a thin plate
+    constexpr double cover = 0.88;          // spacings: where the layer is cut off by edges or shared in a thin plate
     constexpr int rounds = 3;               // of relaxing and thinning out
 }
 
@@ -43,7 +43,7 @@ SampledSurface sampleSurface
     fillHoles(layer, hole*spacing, cover*spacing);
 
     SampledSurface result;
-    result.quality = measureQuality(layer);
+    result.quality = measureQuality(layer, parameters.kernel);
     result.particles.patches = surface.patches;
     for (const LayerParticle& particle : layer.particles())
     {

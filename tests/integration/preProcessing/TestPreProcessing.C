@@ -85,7 +85,14 @@ protected:
 
 TEST_F(PreProcessing, chainWritesSolidAnglesAndLiquid)
 {
-    expectSuccess("sampleSurface", {"floor", "minimal gap", "largest hole", "density variation"});
+    expectSuccess
+    (
+        "sampleSurface",
+        {
+            "floor: 1 open border left open", "1 shell, open, patches floor", "minimal gap", "maximal gap", "largest hole",
+            "virtual volumes", "wall density", "density variation"
+        }
+    );
     const SolidParticles solid = readSolidParticles(casePath());
     // A triangular lattice has 1.155 particles a squared spacing; fitting it to 20 spacings changes that by 5 % at most.
     EXPECT_NEAR(solid.positions.size(), 462, 23);
@@ -179,8 +186,31 @@ TEST_F(PreProcessing, surfacesInOtherUnitsAreRefusedWithAHint)
     expectRefusal("sampleSurface", {"20 x 20", "4.6188e+08", "scale 0.001", "constant/walls"}, "constant/solid");
     folder_.write("constant/walls", "floor { type particles; surface \"floor.stl\"; scale 1e-6; }");
     expectRefusal("sampleSurface", {"less than one particle", "scale"}, "constant/solid");
+    // 20 mm at 1 mm is usual, a tenth of that is suspicious but possible.
+    folder_.write("constant/walls", "floor { type particles; surface \"floor.stl\"; scale 1e-4; }");
+    expectSuccess("sampleSurface", {"WARNING", "2 times as long as a particle", "scale 0.001", "wall density       not measured"});
+    std::filesystem::remove_all(casePath()/"constant/solid");
     folder_.write("constant/walls", "floor { type particles; surface \"floor.stl\"; scale -1; }");
     expectRefusal("sampleSurface", {"scale", "-1"}, "constant/solid");
+}
+
+TEST_F(PreProcessing, holesAreClosedUpToTheWidthThatIsAskedFor)
+{
+    // A frame: 8 x 8 mm are missing in the middle of the floor.
+    folder_.write
+    (
+        "constant/triSurface/frame.obj",
+        "v 0 0 0\nv 20 0 0\nv 20 20 0\nv 0 20 0\nv 6 6 0\nv 14 6 0\nv 14 14 0\nv 6 14 0\n"
+        "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+    );
+    const std::string wall = "frame { type particles; surface \"frame.obj\"; scale 0.001;";
+    folder_.write("constant/walls", wall + " }");
+    expectSuccess("sampleSurface", {"2 open borders left open, the widest 0.0282"});
+    folder_.write("constant/walls", wall + " closeHoles 12e-3; }");
+    expectSuccess("sampleSurface", {"1 small hole closed", "1 open border left open"});
+    std::filesystem::remove_all(casePath()/"constant/solid");
+    folder_.write("constant/walls", wall + " closeHoles -1; }");
+    expectRefusal("sampleSurface", {"closeHoles", "-1"}, "constant/solid");
 }
 
 TEST_F(PreProcessing, badSamplingEntriesAreRefused)

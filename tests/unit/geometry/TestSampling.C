@@ -2,6 +2,7 @@
 #include "geometry/sampling/SurfaceRepair.H"
 #include "geometry/sampling/SurfaceSampler.H"
 #include "support/ScratchFolder.H"
+#include "support/Shapes.H"
 #include "support/Surfaces.H"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ void expectGoodCover(const LayerQuality& quality)
 
 SampledSurface sample(const PatchedSurface& surface, const std::string& method = "poissonDisk", double offset = -0.5)
 {
-    return sampleSurface(surface, {1, offset, method, 30}, "test");
+    return sampleSurface(surface, {1, offset, method, 30, CubicSpline(2)}, "test");
 }
 
 // The least distance between any two of the points, by comparing all pairs.
@@ -54,6 +55,13 @@ TEST(Sampling, planeGetsALatticeHalfASpacingBelow)
         ASSERT_TRUE(x.x > -1e-9 && x.x < 47.3 + 1e-9 && x.y > -1e-9 && x.y < 31.7 + 1e-9) << str(x);
     }
     for (const Vector3& n : floor.particles.normals) ASSERT_EQ(n, Vector3(0, 0, 1));
+    // Neighbours in a lattice that was fitted to the sides by less than half a row of 30.
+    EXPECT_NEAR(floor.quality.maxGap, 1, 0.02);
+    // A triangular lattice of spacing 1: V = 1/sum W = 1.24 (cubic spline, support 2), more at the border, which has
+    // half of the neighbours.
+    EXPECT_NEAR(floor.quality.minVolume, 1.24, 0.02);
+    EXPECT_LT(floor.quality.maxVolume, 4*1.24);
+    EXPECT_GT(floor.quality.meanVolume, floor.quality.minVolume);
     EXPECT_DOUBLE_EQ(leastGap(floor.particles.positions), floor.quality.minGap);
 }
 
@@ -150,12 +158,36 @@ TEST(SurfaceRepair, smallHolesAreClosedAndLargeBordersLeftOpen)
     const double volume = ball.mesh.volume();
     ball.mesh.faces.pop_back();
     ball.patch.pop_back();
-    // The border of one of 768 triangles is about 6 long.
-    const RepairedSurface closed = repairSurface(soupOf(ball), 8, "ball.stl");
+    // One of 768 triangles on a sphere of radius 10 has edges of about 2.
+    const RepairedSurface closed = repairSurface(soupOf(ball), 4, "ball.stl");
     EXPECT_EQ(closed.report, std::vector<std::string>{"1 small hole closed"});
+    EXPECT_TRUE(closed.closed);
     EXPECT_NEAR(closed.surface.mesh.volume(), volume, 1e-9*volume);
     const RepairedSurface open = repairSurface(soupOf(ball), 1, "ball.stl");
-    EXPECT_EQ(open.report, std::vector<std::string>{"1 open border left open"});
+    ASSERT_EQ(open.report.size(), 1u);
+    EXPECT_TRUE(holds(open.report[0], {"1 open border left open", "m wide"}));
+    EXPECT_FALSE(open.closed);
+}
+
+TEST(SurfaceRepair, shellsThatCrossAreUnited)
+{
+    const RepairedSurface repaired = repairSurface
+    (
+        soupOf(joined(box({0, 0, 0}, {4, 4, 4}), box({2, 2, 2}, {6, 6, 6}))), 1, "boxes.stl"
+    );
+    EXPECT_EQ(repaired.report, std::vector<std::string>{"2 shells that cross each other united"});
+    EXPECT_EQ(repaired.shells, 1u);
+    EXPECT_NEAR(repaired.surface.mesh.volume(), 64 + 64 - 8, 1e-12*120);     // constructed in double precision
+}
+
+TEST(SurfaceRepair, solidsThatShareAnEdgeAreCutApartAndDoNotCross)
+{
+    const RepairedSurface repaired =
+        repairSurface(soupOf(joined(box({0, 0, 0}, {4, 4, 4}), box({4, 4, 0}, {8, 8, 4}))), 1, "boxes.stl");
+    EXPECT_EQ(repaired.report, std::vector<std::string>{"1 edge of more than two triangles cut apart"});
+    EXPECT_EQ(repaired.shells, 2u);
+    EXPECT_TRUE(repaired.closed);
+    EXPECT_DOUBLE_EQ(repaired.surface.mesh.volume(), 128);
 }
 
 TEST(SurfaceRepair, aTankKeepsItsNormalsInwards)

@@ -16,8 +16,12 @@ std::vector<SampledWall> readSampledWalls(const std::filesystem::path& casePath)
             wall.markUsed();
             continue;
         }
-        SampledWall sampled{name, casePath/"constant"/"triSurface"/wall.lookup<std::string>("surface"), 1, wall.where()};
+        SampledWall sampled{name, casePath/"constant"/"triSurface"/wall.lookup<std::string>("surface"), 1, {}, wall.where()};
         if (wall.found("scale")) sampled.scale = wall.lookupPositive("scale", dimensions::none);
+        if (wall.found("closeHoles"))
+        {
+            sampled.closeHoles = wall.lookupPositive("closeHoles", dimensions::length, true);
+        }
         result.push_back(sampled);
     }
     walls.refuseUnused();

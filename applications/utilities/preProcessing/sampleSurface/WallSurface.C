@@ -15,7 +15,8 @@ namespace
 {
 
 constexpr double maxParticles = 1e8;
-constexpr double largestHole = 8;       // spacings along its border: two particles fit across
+constexpr double closedHole = 4;        // spacings: too narrow to be meant
+constexpr double suspectSize[2] = {5, 3000};    // spacings: smaller or larger surfaces are allowed, and said to be strange
 
 Vector3 sizeOf(const TriangleMesh& mesh)
 {
@@ -31,14 +32,39 @@ Vector3 sizeOf(const TriangleMesh& mesh)
     return high - low;
 }
 
+std::string sizeText(const SampledWall& wall, const Vector3& size, const std::string& reason, double spacing)
+{
+    std::ostringstream text;
+    text << "The surface " << wall.file.string() << " is " << size.x << " x " << size.y << " x " << size.z << " m large, "
+         << reason << " at the particle spacing of " << spacing << " m";
+    return text.str();
+}
+
+std::string advice(const SampledWall& wall)
+{
+    return "a surface in metres: give the wall '" + wall.name
+      + "' a scale, such as `scale 0.001;` for a file in millimetres, or change the spacing in system/solution";
+}
+
 [[noreturn]] void refuseSize(const SampledWall& wall, const Vector3& size, const std::string& reason, double spacing)
 {
-    std::ostringstream found, expected;
-    found << "The surface " << wall.file.string() << " is " << size.x << " x " << size.y << " x " << size.z << " m large, "
-          << reason << " at the particle spacing of " << spacing << " m";
-    expected << "a surface in metres: give the wall '" << wall.name
-             << "' a scale, such as `scale 0.001;` for a file in millimetres, or change the spacing in system/solution";
-    throw FatalInputError(wall.where, found.str(), expected.str());
+    throw FatalInputError(wall.where, sizeText(wall, size, reason, spacing), advice(wall));
+}
+
+// Which side the liquid is on, for those whose file has it wrong.
+std::string description(const RepairedSurface& repaired)
+{
+    std::ostringstream text;
+    const std::size_t n = repaired.shells;
+    text << n << (n == 1 ? " shell" : " shells") << (repaired.closed ? ", closed" : ", open")
+         << ", patches";
+    for (const std::string& patch : repaired.surface.patches) text << ' ' << patch;
+    if (repaired.closed)
+    {
+        text << (repaired.surface.mesh.volume() > 0 ? "; the liquid belongs outside" : "; the liquid belongs inside")
+             << " (normals)";
+    }
+    return text.str();
 }
 
 }
@@ -51,7 +77,8 @@ PatchedSurface loadSurface(const SampledWall& wall, double spacing)
               << "\n";
 
     const Vector3 size = sizeOf(raw.mesh);
-    if (std::max({size.x, size.y, size.z}) < spacing) refuseSize(wall, size, "less than one particle", spacing);
+    const double longest = std::max({size.x, size.y, size.z});
+    if (longest < spacing) refuseSize(wall, size, "less than one particle", spacing);
     const double particles = latticeDensity(spacing)*raw.mesh.area();
     if (particles > maxParticles)
     {
@@ -60,9 +87,17 @@ PatchedSurface loadSurface(const SampledWall& wall, double spacing)
         refuseSize(wall, size, reason.str(), spacing);
     }
 
-    RepairedSurface repaired = repairSurface(raw, largestHole*spacing, wall.file.string());
+    if (longest < suspectSize[0]*spacing || longest > suspectSize[1]*spacing)
+    {
+        std::ostringstream reason;
+        reason << longest/spacing << " times as long as a particle";
+        warning(sizeText(wall, size, reason.str(), spacing) + "\nExpected: " + advice(wall), wall.where);
+    }
+
+    const RepairedSurface repaired = repairSurface(raw, wall.closeHoles.value_or(closedHole*spacing), wall.file.string());
     for (const std::string& line : repaired.report) std::cout << wall.name << ": " << line << "\n";
-    return std::move(repaired.surface);
+    std::cout << wall.name << ": " << description(repaired) << "\n";
+    return repaired.surface;
 }
 
 }

@@ -21,12 +21,20 @@ const ApplicationInfo info
     {}
 };
 
+// The solver's, with its support in spacings; the solver checks the support's range.
+KernelChoice readKernel(const Dictionary& dict)
+{
+    const std::string type = dict.lookupChoiceOr("type", kernelWords(), CubicSpline::word);
+    return makeKernel(type, float(dict.lookupOr("support", 2.0)));
+}
+
 // system/sampleSurfaceDict may be absent: every entry has a default.
 SamplingParameters readParameters(const std::filesystem::path& casePath)
 {
     SamplingParameters parameters;
-    parameters.spacing =
-        Dictionary::read(casePath/"system"/"solution").lookupPositive("spacing", dimensions::length);
+    const Dictionary solution = Dictionary::read(casePath/"system"/"solution");
+    parameters.spacing = solution.lookupPositive("spacing", dimensions::length);
+    parameters.kernel = readKernel(solution.subDictOrEmpty("kernel"));
     const std::filesystem::path file = casePath/"system"/"sampleSurfaceDict";
     if (std::filesystem::exists(file))
     {
@@ -52,11 +60,22 @@ SamplingParameters readParameters(const std::filesystem::path& casePath)
 
 void report(const std::string& wall, const LayerQuality& quality, double spacing)
 {
+    const double cube = spacing*spacing*spacing;
     std::cout
         << wall << ": " << quality.count << " particles\n"
         << "    minimal gap        " << quality.minGap/spacing << " spacings\n"
         << "    mean gap           " << quality.meanGap/spacing << " spacings\n"
+        << "    maximal gap        " << quality.maxGap/spacing << " spacings\n"
         << "    largest hole       " << quality.largestHole/spacing << " spacings\n"
+        << "    virtual volumes    " << quality.minVolume/cube << " to " << quality.maxVolume/cube << ", mean "
+        << quality.meanVolume/cube << " cubic spacings\n";
+    if (quality.wallDensity == 0)
+    {
+        std::cout << "    wall density       not measured: no place is a support away from open borders\n";
+        return;
+    }
+    std::cout
+        << "    wall density       " << quality.wallDensity << " of the liquid's, half a spacing outside\n"
         << "    density variation  " << 100*quality.densityVariation << " %\n";
 }
 

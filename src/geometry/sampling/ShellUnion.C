@@ -1,0 +1,160 @@
+#include "geometry/sampling/ShellUnion.H"
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/intersection.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+namespace shizuku
+{
+
+namespace
+{
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Face = RepairMesh::Face_index;
+
+// Every pair of shells is looked at.
+constexpr std::size_t mostShells = 200;
+
+// Hands the patch of a face on to the pieces that it is cut into, and to its copy in the united mesh.
+class PatchKeeper : public PMP::Corefinement::Default_visitor<RepairMesh>
+{
+public:
+    void before_subface_creations(Face cut, const RepairMesh& mesh) { patch_ = patchesIn(mesh)[cut]; }
+    void after_subface_created(Face piece, const RepairMesh& mesh) { patchesIn(mesh)[piece] = patch_; }
+    void after_face_copy(Face from, const RepairMesh& source, Face to, const RepairMesh& target)
+    {
+        patchesIn(target)[to] = patchesIn(source)[from];
+    }
+
+private:
+    static RepairPatches patchesIn(const RepairMesh& mesh) { return mesh.property_map<Face, int>("f:patch").first; }
+
+    int patch_ = 0;
+};
+
+RepairMesh copyOf(const RepairMesh& mesh)
+{
+    RepairMesh copy = mesh;
+    copy.collect_garbage();
+    return copy;
+}
+
+// The connected pieces, each a mesh with its patches.
+std::vector<RepairMesh> split(RepairMesh& mesh)
+{
+    const auto piece = mesh.add_property_map<Face, std::size_t>("f:shell", 0).first;
+    const std::size_t count = PMP::connected_components(mesh, piece);
+    std::vector<RepairMesh> shells;
+    for (std::size_t s = 0; s < count && count <= mostShells; ++s)
+    {
+        RepairMesh shell = mesh;
+        PMP::keep_connected_components(shell, std::vector<std::size_t>{s}, shell.property_map<Face, std::size_t>("f:shell").first);
+        shells.push_back(copyOf(shell));
+    }
+    return shells;
+}
+
+bool canBeUnited(const RepairMesh& shell)
+{
+    return CGAL::is_closed(shell) && !PMP::does_self_intersect(shell) && PMP::does_bound_a_volume(shell);
+}
+
+// a becomes the union of a and b; false and no change where CGAL cannot do it.
+bool unite(RepairMesh& a, const RepairMesh& b)
+{
+    RepairMesh first = a, second = b, both;
+    patchesOf(both);
+    if (!PMP::corefine_and_compute_union(first, second, both, PMP::parameters::visitor(PatchKeeper()))) return false;
+    a = copyOf(both);
+    return true;
+}
+
+// A triangle drawn together a little towards its centre: what it only touched it leaves.
+RepairKernel::Triangle_3 core(const RepairMesh& mesh, Face face)
+{
+    constexpr double shrink = 1e-4;
+    std::array<RepairKernel::Point_3, 3> corners;
+    std::size_t k = 0;
+    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(face), mesh)) corners[k++] = mesh.point(v);
+    const auto centre = CGAL::centroid(corners[0], corners[1], corners[2]);
+    for (auto& corner : corners) corner = corner + shrink*(centre - corner);
+    return {corners[0], corners[1], corners[2]};
+}
+
+// Pairs of triangles that go through each other, or lie on each other.
+std::size_t crossingPairs(const RepairMesh& mesh)
+{
+    std::vector<std::pair<Face, Face>> touching;
+    PMP::self_intersections(mesh, std::back_inserter(touching));
+    return std::size_t(std::count_if(touching.begin(), touching.end(), [&](const std::pair<Face, Face>& pair)
+    {
+        return CGAL::do_intersect(core(mesh, pair.first), core(mesh, pair.second));
+    }));
+}
+
+RepairMesh join(const std::vector<RepairMesh>& shells)
+{
+    RepairMesh all;
+    const RepairPatches patches = patchesOf(all);
+    for (const RepairMesh& shell : shells)
+    {
+        const auto from = shell.property_map<Face, int>("f:patch").first;
+        std::vector<std::pair<Face, Face>> faces;
+        CGAL::copy_face_graph(shell, all, CGAL::parameters::face_to_face_output_iterator(std::back_inserter(faces)));
+        for (const auto& [old, copy] : faces) patches[copy] = from[old];
+    }
+    return all;
+}
+
+}
+
+void uniteShells(RepairMesh& mesh, std::vector<std::string>& report)
+{
+    if (!PMP::does_self_intersect(mesh)) return;
+
+    std::vector<RepairMesh> shells = split(mesh);
+    std::vector<bool> usable;
+    for (const RepairMesh& shell : shells) usable.push_back(canBeUnited(shell));
+    std::size_t united = 0;
+    for (std::size_t a = 0; a < shells.size(); ++a)
+    {
+        for (std::size_t b = a + 1; b < shells.size();)
+        {
+            const bool done = usable[a] && usable[b] && PMP::do_intersect(shells[a], shells[b]) && unite(shells[a], shells[b]);
+            if (!done)
+            {
+                ++b;
+                continue;
+            }
+            ++united;
+            shells.erase(shells.begin() + long(b));
+            usable.erase(usable.begin() + long(b));
+            b = a + 1;      // the larger shell may reach those that were passed
+        }
+    }
+    if (united > 0)
+    {
+        mesh = join(shells);
+        report.push_back(std::to_string(united + 1) + " shells that cross each other united");
+    }
+
+    if (const std::size_t pairs = crossingPairs(mesh))
+    {
+        report.push_back
+        (
+            std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs") + " of triangles cross each other and stay: "
+            "what lies inside of the solid is sampled too"
+        );
+    }
+}
+
+}
