@@ -139,6 +139,7 @@ TEST_P(Changes, thatAreWrongAreLeftOut)
         {"constant/liquidProperties", {"rho 998;\nnu 1e-6;\nsigma -1;\n", "'sigma' is -1"}},
         {"constant/liquidProperties", {"rho 1200;\nnu 1e-6;\nsigma 0.07;\n", "'rho' was changed from 998 to 1200"}},
         {"system/solution", {"spacing 2e-3;\npressure { maxIterations 6; }\n", "'spacing' was changed from 1e-3 to 2e-3"}},
+        {"constant/wettability", {"floor { theta 75; }\nside { the", "Unclosed '{'"}},
         {"constant/wettability", {"floor { theta 200; }\nside { theta 90; }\n", "is 200"}},
         {
             "constant/models",
@@ -149,6 +150,8 @@ TEST_P(Changes, thatAreWrongAreLeftOut)
         },
         {"constant/g", {"value (0 0 fast);\n", "the word 'fast'"}}
     };
+    // What reads a prescribed angle while the solver runs is not led astray either.
+    begin("runTimeModifiable yes; functions { angle { type contactAngle; wall side; } }");
     const std::string theta = read("0/solid/theta");
     Process process(command("pbfDroplet", ""), folder_.path()/"log");
     ASSERT_TRUE(process.runUntil([&] { return stepsOf(process.log()).size() > 1; })) << process.log();
@@ -190,6 +193,20 @@ TEST_P(Changes, ofControlDictAreNamed)
         }
     ));
     EXPECT_EQ(folder_.list("case"), (std::vector<std::string>{"0", "constant", "system"}));
+}
+
+TEST_P(Changes, ofTheEndTimeEndTheRun)
+{
+    Process process(command("pbfDroplet", ""), folder_.path()/"log");
+    ASSERT_TRUE(process.runUntil([&] { return stepsOf(process.log()).size() > 2; })) << process.log();
+    process.pause();
+    const std::size_t end = stepsOf(process.log()).size() + 20;
+    control(frame + "runTimeModifiable yes; endTime " + std::to_string(deltaT*double(end)) + ";");
+    process.resume();
+    ASSERT_EQ(process.wait(), 0) << process.log();
+    EXPECT_TRUE(holds(process.log(), {"system/controlDict anew", "    endTime: 60 -> "}));
+    EXPECT_EQ(stepsOf(process.log()).size(), end);
+    EXPECT_EQ(liquidAfter(end).size(), 4u);
 }
 
 TEST_P(Changes, nextWriteStopsWithTheNextWrite)
