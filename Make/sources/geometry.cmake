@@ -1,6 +1,7 @@
 # Paths below src/.
 set(SHIZUKU_GEOMETRY_SOURCES
     geometry/AnalyticSurface.C
+    geometry/CaseGravity.C
     geometry/ConnectedPoints.C
     geometry/ContactAngle.C
     geometry/LiquidFiles.C
@@ -11,6 +12,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/PlaneFit.C
     geometry/PlyFile.C
     geometry/PointsInside.C
+    geometry/ProfileFit.C
     geometry/SolidParticles.C
     geometry/SphereFit.C
     geometry/StlFile.C
@@ -18,7 +20,11 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/UnitVector.C
     geometry/Vector3.C
     geometry/WallPlane.C
+    geometry/WallShape.C
     geometry/WettedSurface.C
+    geometry/contactLine/ContactLine.C
+    geometry/contactLine/HeightLoops.C
+    geometry/contactLine/LoopTangents.C
     geometry/drops/DropMeasurement.C
     geometry/drops/DropNumbers.C
     geometry/drops/DropTable.C

@@ -39,4 +39,18 @@ std::size_t NearestPoint::operator()(const Vector3& x) const
     return tree_->points.qbegin(bg::index::nearest(Point(x.x, x.y, x.z), 1))->second;
 }
 
+std::vector<std::size_t> NearestPoint::operator()(const Vector3& x, std::size_t count) const
+{
+    std::vector<std::size_t> result;
+    for
+    (
+        auto found = tree_->points.qbegin(bg::index::nearest(Point(x.x, x.y, x.z), unsigned(count)));
+        found != tree_->points.qend(); ++found
+    )
+    {
+        result.push_back(found->second);
+    }
+    return result;
+}
+
 }

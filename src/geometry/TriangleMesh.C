@@ -31,6 +31,18 @@ double TriangleMesh::area() const
     return total;
 }
 
+std::vector<double> TriangleMesh::vertexAreas() const
+{
+    std::vector<double> areas(vertices.size(), 0);
+    for (const auto& face : faces)
+    {
+        const auto& [i, j, k] = face;
+        const double area = length(cross(vertices[j] - vertices[i], vertices[k] - vertices[i]))/2;
+        for (const int corner : face) areas[corner] += area/3;
+    }
+    return areas;
+}
+
 double TriangleMesh::volume() const
 {
     double total = 0;

@@ -1,7 +1,5 @@
 #include "geometry/WallPlane.H"
 
-#include "geometry/AnalyticSurface.H"
-
 #include <algorithm>
 
 namespace shizuku
@@ -41,8 +39,7 @@ CaseWalls readCaseWalls(const std::filesystem::path& casePath)
         for (const AnalyticSurface& surface : readAnalyticSurfaces(Dictionary::read(file)))
         {
             walls.names.push_back(surface.name);
-            if (surface.type != AnalyticSurface::Type::plane) continue;
-            walls.analyticPlanes.emplace_back(surface.name, Plane{surface.point, surface.direction});
+            walls.analytic.push_back(surface);
         }
     }
     if (haveSolidParticles(casePath))
@@ -55,9 +52,11 @@ CaseWalls readCaseWalls(const std::filesystem::path& casePath)
 
 std::optional<Plane> planeOf(const CaseWalls& walls, const std::string& name, double spacing)
 {
-    for (const auto& [wall, plane] : walls.analyticPlanes)
+    for (const AnalyticSurface& surface : walls.analytic)
     {
-        if (wall == name) return plane;
+        if (surface.name != name) continue;
+        if (surface.type != AnalyticSurface::Type::plane) return std::nullopt;
+        return Plane{surface.point, surface.direction};
     }
     const auto& patches = walls.solid.patches;
     const auto patch = std::find(patches.begin(), patches.end(), name);

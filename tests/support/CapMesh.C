@@ -40,6 +40,7 @@ public:
                 {
                     for (int k = 0; k + 1 < nodes_[2]; ++k)
                     {
+                        if (!isCut({i, j, k})) continue;
                         std::array<std::size_t, 4> corners;
                         std::array<int, 3> at{i, j, k};
                         corners[0] = index(at);
@@ -61,6 +62,17 @@ private:
     std::size_t index(const std::array<int, 3>& at) const
     {
         return (std::size_t(at[0])*nodes_[1] + at[1])*nodes_[2] + at[2];
+    }
+
+    // Whether the surface passes through the cube that begins there.
+    bool isCut(const std::array<int, 3>& at) const
+    {
+        int inside = 0;
+        for (int corner = 0; corner < 8; ++corner)
+        {
+            inside += values_[index({at[0] + (corner & 1), at[1] + (corner >> 1 & 1), at[2] + (corner >> 2)})] < 0;
+        }
+        return inside > 0 && inside < 8;
     }
 
     Vector3 position(std::size_t node) const

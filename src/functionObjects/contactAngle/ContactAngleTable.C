@@ -1,10 +1,10 @@
-// Contact angle, contact radius, height and volume of every drop on a plane wall while the solver runs: what meshSurface
+// Contact angles, contact radius, height and volume of every drop on a wall while the solver runs: what meshSurface
 // and probeAngle would find of the same time, in the same columns (geometry/drops/DropTable.H).
 //
 //     angle
 //     {
 //         type        contactAngle;
-//         wall        floor;          // this and fitAbove as in system/probeAngleDict
+//         wall        floor;          // this, fitAbove and direction as in system/probeAngleDict
 //     }
 
 #include "functionObjects/FunctionObject.H"
@@ -33,7 +33,7 @@ public:
     }
 
     // A changed angle counts once the models have it.
-    void modelsMade(FlowView& flow) override { measurement_.readPrescribed(flow.time.value()); }
+    void modelsMade(FlowView& flow) override { measurement_.readCase(flow.time.value()); }
 
     void execute(FlowView& flow) override
     {

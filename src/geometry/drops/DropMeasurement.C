@@ -1,8 +1,11 @@
 #include "geometry/drops/DropMeasurement.H"
 
+#include "geometry/CaseGravity.H"
 #include "geometry/PointsInside.H"
+#include "geometry/UnitVector.H"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace shizuku
@@ -11,15 +14,11 @@ namespace shizuku
 namespace
 {
 
-Plane planeOfWall(const std::filesystem::path& casePath, const CaseWalls& walls, const std::string& wall, double spacing)
+double densityOf(const std::filesystem::path& casePath)
 {
-    const auto plane = planeOf(walls, wall, spacing);
-    if (plane) return *plane;
-    throw FatalInputError
-    (
-        {(casePath/"constant/walls").string(), 0}, "The wall '" + wall + "' is no plane",
-        "a wall of type plane, or a flat patch of solid particles"
-    );
+    const auto file = casePath/"constant/liquidProperties";
+    if (!std::filesystem::exists(file)) return std::numeric_limits<double>::quiet_NaN();
+    return Dictionary::read(file).lookupPositive("rho", dimensions::density);
 }
 
 }
@@ -33,6 +32,7 @@ DropControls DropControls::read(const Dictionary& dict, const CaseWalls& walls)
     {
         controls.limits.fitAbove = dict.lookupPositive("fitAbove", dimensions::none, true);
     }
+    if (dict.found("direction")) controls.direction = readUnitVector(dict, "direction");
     return controls;
 }
 
@@ -42,8 +42,15 @@ DropMeasurement::DropMeasurement
 )
 :
     walls_(std::move(walls)), controls_(controls), spacing_(spacing),
-    plane_(planeOfWall(casePath, walls_, controls.wall, spacing)), prescribed_(casePath, walls_, controls.wall)
+    wall_(makeWallShape(walls_, controls.wall, spacing)), prescribed_(casePath, walls_, controls.wall), case_(casePath)
 {}
+
+void DropMeasurement::readCase(double time)
+{
+    prescribed_.read(time);
+    gravity_ = caseGravity(case_);
+    density_ = densityOf(case_);
+}
 
 std::vector<DropRecord> DropMeasurement::measure
 (
@@ -75,15 +82,46 @@ DropRecord DropMeasurement::measureDrop
 {
     DropRecord record;
     record.time = time;
-    record.shape = measureContactAngle(drop.surface, plane_, spacing_, controls_.limits);
+    record.shape = measureContactAngle
+    (
+        drop.surface, *wall_, spacing_, controls_.direction.value_or(gravity_), controls_.limits
+    );
     record.volume = drop.volume;
     const std::vector<int> winding = windingNumbers(drop.surface, particles);
     record.particles = std::count_if(winding.begin(), winding.end(), [](int w) { return w > 0; });
     record.particleDrift = drop.volume/(record.particles*spacing_*spacing_*spacing_) - 1;
     record.centroid = centroid;
     const double footprint = std::sqrt(record.shape.coveredArea/std::numbers::pi);
-    record.prescribed = prescribed_.below(centroid, footprint, plane_);
+    record.prescribed = prescribed_.below(centroid, footprint, wall_->at(centroid).normal);
+    if (record.shape.state == DropState::attached)
+    {
+        if (const auto profile = profileOf(drop, centroid))
+        {
+            record.capillaryLength = profile->capillaryLength;
+            record.sigma = density_*length(gravity_)*std::pow(profile->capillaryLength, 2);
+        }
+    }
     return record;
+}
+
+// Of a drop that stands upright: with gravity along the axis it is axisymmetric.
+std::optional<ProfileFit> DropMeasurement::profileOf(const Drop& drop, const Vector3& centroid) const
+{
+    constexpr double upright = 0.9998;          // cosine of one degree
+    if (length(gravity_) == 0) return std::nullopt;
+    const Vector3 up = -normalized(gravity_);
+    if (dot(up, wall_->at(centroid).normal) < upright) return std::nullopt;
+
+    const std::vector<double> areas = drop.surface.vertexAreas();
+    std::vector<MeridianPoint> points;
+    for (std::size_t i = 0; i < areas.size(); ++i)
+    {
+        const Vector3& x = drop.surface.vertices[i];
+        if (wall_->at(x).distance <= controls_.limits.fitAbove*spacing_) continue;
+        const double height = dot(x - centroid, up);
+        points.push_back({length(x - centroid - height*up), height, areas[i]});
+    }
+    return fitProfile(points);
 }
 
 }

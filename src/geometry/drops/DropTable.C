@@ -16,7 +16,9 @@ CsvFile dropTable(const std::filesystem::path& file)
             {"time", "s"}, {"drop", ""}, {"state", ""}, {"prescribed", "deg"}, {"angle", "deg"},
             {"contactRadius", "m"}, {"height", "m"}, {"coveredArea", "m2"}, {"volume", "m3"}, {"particles", ""},
             {"volumeDrift", "%"}, {"volumeDriftSinceFirst", "%"},
-            {"centroidX", "m"}, {"centroidY", "m"}, {"centroidZ", "m"}, {"residual", "spacings"}
+            {"centroidX", "m"}, {"centroidY", "m"}, {"centroidZ", "m"}, {"residual", "spacings"},
+            {"tangentMean", "deg"}, {"tangentMin", "deg"}, {"tangentMax", "deg"}, {"advancing", "deg"}, {"receding", "deg"},
+            {"capillaryLength", "m"}, {"sigma", "N/m"}
         }
     );
 }
@@ -29,7 +31,9 @@ void addRow(CsvFile& table, const DropRecord& record)
         record.time, double(record.drop), word(shape.state), record.prescribed, shape.angle,
         shape.contactRadius, shape.height, shape.coveredArea, record.volume, double(record.particles),
         100*record.particleDrift, 100*record.firstDrift,
-        record.centroid.x, record.centroid.y, record.centroid.z, shape.residual
+        record.centroid.x, record.centroid.y, record.centroid.z, shape.residual,
+        shape.mean, shape.min, shape.max, shape.advancing, shape.receding,
+        record.capillaryLength, record.sigma
     });
 }
 
@@ -57,6 +61,24 @@ std::string report(const DropRecord& record, const std::string& wall)
     {
         line("measured angle") << fixed(shape.angle, 2) << " deg\n";
         line("fit residual") << fixed(shape.residual, 3) << " spacings\n";
+        line("along the line");
+        if (std::isnan(shape.mean)) out << "no contact line\n";
+        else
+        {
+            out << fixed(shape.mean, 2) << " deg on average, from " << fixed(shape.min, 2) << " to "
+                << fixed(shape.max, 2) << '\n';
+        }
+        if (!std::isnan(shape.advancing))
+        {
+            line("advancing side") << fixed(shape.advancing, 2) << " deg, receding side "
+                << fixed(shape.receding, 2) << '\n';
+        }
+        if (!std::isnan(record.capillaryLength))
+        {
+            line("capillary length") << fixed(1e3*record.capillaryLength, 3) << " mm";
+            if (!std::isnan(record.sigma)) out << ", sigma " << fixed(1e3*record.sigma, 2) << " mN/m";
+            out << '\n';
+        }
     }
     else
     {

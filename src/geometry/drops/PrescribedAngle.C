@@ -43,7 +43,7 @@ void PrescribedAngle::read(double time)
     theta_ = readField(instance/"solid/theta", FieldType::scalar, dimensions::none, long(walls_.solid.positions.size()));
 }
 
-double PrescribedAngle::below(const Vector3& foot, double radius, const Plane& plane) const
+double PrescribedAngle::below(const Vector3& foot, double radius, const Vector3& normal) const
 {
     if (!theta_) return wallTheta_.value_or(none);
     const SolidParticles& solid = walls_.solid;
@@ -52,8 +52,8 @@ double PrescribedAngle::below(const Vector3& foot, double radius, const Plane& p
     for (std::size_t i = 0; i < solid.positions.size(); ++i)
     {
         const Vector3 fromFoot = solid.positions[i] - foot;
-        const Vector3 along = fromFoot - dot(fromFoot, plane.normal)*plane.normal;
-        if (solid.patch[i] != patch_ || length(along) > radius) continue;
+        const Vector3 along = fromFoot - dot(fromFoot, normal)*normal;
+        if (solid.patch[i] != patch_ || length(along) > radius || dot(solid.normals[i], normal) <= 0) continue;
         sum += (*theta_)(i);
         ++count;
     }

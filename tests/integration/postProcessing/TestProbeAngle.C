@@ -1,4 +1,7 @@
 #include "DropCase.H"
+#include "support/DropMeshes.H"
+
+#include <numbers>
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -20,7 +23,12 @@ TEST_F(DropCase, ProbeAngleMeasuresEveryTime)
     {
         EXPECT_NEAR(number(rows[i].at("time")), 0.01*i, 1e-12);
         EXPECT_EQ(rows[i].at("state"), "attached");
-        EXPECT_NEAR(number(rows[i].at("angle")), angles[i], 0.5);           // what is asked of exact caps
+        for (const char* column : {"angle", "tangentMean", "tangentMin", "tangentMax"})
+        {
+            EXPECT_NEAR(number(rows[i].at(column)), angles[i], 0.5) << column;      // what is asked of exact caps
+        }
+        EXPECT_EQ(rows[i].at("advancing"), "nan");                          // no gravity, no direction
+        EXPECT_EQ(rows[i].at("sigma"), "nan");
         EXPECT_EQ(number(rows[i].at("prescribed")), 60);                    // the half of the floor below the drop
         // A lattice cut by a sphere of ten spacings holds its volume to a few per cent of its outer layer.
         EXPECT_NEAR(number(rows[i].at("particles")), 1000, 20);
@@ -57,6 +65,63 @@ TEST_F(DropCase, ProbeAngleReportsADropThatLeftTheWall)
     ASSERT_EQ(outcome.status, 0) << outcome.text;
     EXPECT_TRUE(holds(outcome.text, {"detached", "off the wall"}));
     EXPECT_EQ(table("postProcessing/probeAngle/0/angle.csv").at(0).at("angle"), "nan");
+}
+
+TEST_F(DropCase, ProbeAngleMeasuresOnABallAndAlongADirection)
+{
+    // A ball under the drop of the other tests, and a drop that leans by 0.3 of its height.
+    const DropOnBall ballDrop = dropOnBall(110, 1000*spacing*spacing*spacing, 3e-3, {0, 0, 1});
+    fs::remove_all(path()/"constant/solid");
+    write("constant/walls", "ball { type sphere; centre (0 0 0); radius 3e-3; liquid outside; }\n");
+    write("constant/wettability", "ball { theta 110; }\n");
+    writeTime("0", {drop(90)});
+    writePly(path()/"0/surface/liquid.ply", dropOnBallMesh(ballDrop, 0.5*spacing));
+    ASSERT_EQ(call("probeAngle").status, 0);
+    auto row = table("postProcessing/probeAngle/0/angle.csv").at(0);
+    EXPECT_EQ(number(row.at("prescribed")), 110);
+    EXPECT_NEAR(number(row.at("angle")), 110, 1);
+    EXPECT_NEAR(number(row.at("tangentMean")), 110, 1);
+    EXPECT_NEAR(number(row.at("contactRadius")), ballDrop.contactRadius, 0.1*spacing);
+
+    write("constant/walls", "floor { type plane; point (0 0 0); normal (0 0 1); }\n");
+    write("system/probeAngleDict", "direction (1 0 0);\n");
+    TriangleMesh leaning = capMesh(drop(90, 8000), 0.5*spacing);
+    for (Vector3& v : leaning.vertices) v.x += 0.1*v.z;
+    writePly(path()/"0/surface/liquid.ply", leaning);
+    const Outcome outcome = call("probeAngle");
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"advancing side", "receding side"}));
+    row = table("postProcessing/probeAngle/0/angle.csv").at(0);
+    const double lean = std::atan(0.1)*180/std::numbers::pi;
+    EXPECT_NEAR(number(row.at("advancing")), 90 + lean, 1);
+    EXPECT_NEAR(number(row.at("receding")), 90 - lean, 1);
+}
+
+TEST_F(DropCase, ProbeAngleFitsTheSurfaceTensionUnderGravity)
+{
+    // Gravity that makes the capillary length that of the drop's radius.
+    const double volume = 2000*spacing*spacing*spacing, l = std::cbrt(3*volume/(4*std::numbers::pi));
+    write("constant/models", "bodyForce gravity;\n");
+    write("constant/liquidProperties", "rho 1000;\nnu 1e-6;\nsigma 0.07;\n");
+    const auto measure = [&](const std::string& g)
+    {
+        write("constant/g", "value " + g + ";\n");
+        const Outcome outcome = call("probeAngle");
+        EXPECT_EQ(outcome.status, 0) << outcome.text;
+        return table("postProcessing/probeAngle/0/angle.csv").at(0);
+    };
+    writeTime("0", {drop(90)});
+    writePly(path()/"0/surface/liquid.ply", revolvedMesh(bashforthAdamsOfVolume(volume, l, 80, 101), 0.5*spacing));
+    const auto upright = measure("(0 0 -10)");
+    EXPECT_NEAR(number(upright.at("capillaryLength"))/l, 1, 0.01);
+    EXPECT_NEAR(number(upright.at("sigma"))/(1000*10*l*l), 1, 0.02);
+    EXPECT_NEAR(number(upright.at("tangentMean")), 80, 2);
+    EXPECT_EQ(upright.at("advancing"), "nan");                  // the wall is no slope
+    // Neither on a slope nor below a ceiling is the drop axisymmetric about the wall's normal and standing.
+    const auto slope = measure("(5 0 -8)");
+    EXPECT_EQ(slope.at("sigma"), "nan");
+    EXPECT_NE(slope.at("advancing"), "nan");
+    EXPECT_EQ(measure("(0 0 10)").at("capillaryLength"), "nan");
 }
 
 TEST_F(DropCase, ProbeAngleTakesAnalyticPlanesAndSelectedTimes)
@@ -99,11 +164,15 @@ TEST_F(DropCase, ProbeAngleRefusesBadInput)
     expectError({"probeAngleDict", "fitAbov", "fitAbove"});
     write("system/probeAngleDict", "wall floor;\nfitAbove -1;\n");
     expectError({"fitAbove", "-1"});
-    write("system/probeAngleDict", "wall ball;\n");
-    write("constant/walls", "ball { type sphere; centre (0 0 0); radius 1e-3; liquid outside; }\n");
-    expectError({"ball", "no plane"});
-    write("constant/walls", "floor { type particles; }\n");
+    write("system/probeAngleDict", "wall floor;\ndirection (0 0 0);\n");
+    expectError({"direction", "(0 0 0)"});
     write("system/probeAngleDict", "wall floor;\n");
+    write("constant/models", "bodyForce gravity;\n");
+    expectError({"constant/g"});
+    write("constant/g", "value (0 0 -9.81);\n");
+    write("constant/liquidProperties", "rho -1;\n");
+    expectError({"rho", "-1"});
+    write("constant/liquidProperties", "rho 1000;\n");
 
     TriangleMesh open = capMesh(drop(60), 0.5*spacing);
     open.faces.pop_back();

@@ -142,8 +142,6 @@ TEST(ContactAngleTable, MeasuresAsProbeAngleDoes)
     };
     EXPECT_TRUE(holds(refusal("wall flor;", onAPlane), {"'flor'", "floor"}));
     EXPECT_TRUE(holds(refusal("", {}), {"'wall' is missing"}));
-    const CaseText round{.walls = "ball { type sphere; centre (0 0 -1); radius 1; liquid outside; }", .wettability = "ball { theta 60; }"};
-    EXPECT_TRUE(holds(refusal("", round), {"'ball' is no plane"}));
 }
 
 // Nobody asks: no surface, no density, no sums.

@@ -2,6 +2,7 @@
 
 #include "core/dictionary/Dictionary.H"
 #include "core/time/TimeName.H"
+#include "geometry/CaseGravity.H"
 #include "geometry/LiquidFiles.H"
 #include "geometry/PlyFile.H"
 
@@ -22,12 +23,7 @@ CaseResults::CaseResults(const fs::path& casePath) : casePath_(casePath), times_
     nu = liquid.lookupPositive("nu", dimensions::kinematicViscosity, true);
     sigma = liquid.lookupPositive("sigma", dimensions::surfaceTension, true);
 
-    gravity = 0;
-    if (Dictionary::read(casePath/"constant/models").lookupOr<std::string>("bodyForce", "none") == "gravity")
-    {
-        const auto g = Dictionary::read(casePath/"constant/g").lookupDimensionedVector("value", dimensions::acceleration);
-        gravity = std::hypot(g[0], g[1], g[2]);
-    }
+    gravity = length(caseGravity(casePath));
     if (times_.empty()) throw FatalInputError({casePath.string(), 0}, "The case has no time folder", "a case that has run");
 }
 

@@ -1,4 +1,4 @@
-// Measures the apparent contact angle of every separate drop on a plane wall, from the meshes of meshSurface.
+// Measures the apparent contact angle of every separate drop on a wall, from the meshes of meshSurface.
 
 #include "core/arguments/runApplication.H"
 #include "core/time/Time.H"
@@ -53,7 +53,7 @@ void probeAngle(const Arguments& args)
     CsvFile table = dropTable(args.casePath()/"postProcessing/probeAngle"/times.front().name/"angle.csv");
     for (const TimeFolder& time : times)
     {
-        measurement.readPrescribed(time.value);
+        measurement.readCase(time.value);
         const std::vector<DropRecord> records = measurement.measure
         (
             readSurface(liquidSurfaceFile(time.path)), readLiquidPositions(time.path), time.value
@@ -77,7 +77,7 @@ int main(int argc, char** argv)
     (
         argc, argv,
         {
-            "probeAngle", "Measures contact angle, contact radius, height and volume of every drop on a plane wall.",
+            "probeAngle", "Measures contact angles, contact radius, height and volume of every drop on a wall.",
             timeSelectionOptions()
         },
         probeAngle

@@ -7,6 +7,7 @@
 #include "core/arguments/runApplication.H"
 #include "core/dictionary/Dictionary.H"
 #include "core/time/Time.H"
+#include "geometry/CaseGravity.H"
 #include "geometry/LiquidFiles.H"
 #include "geometry/PlyFile.H"
 #include "geometry/WallPlane.H"
@@ -106,13 +107,8 @@ void addWalls(PictureScene& scene, const std::filesystem::path& casePath)
 // Against gravity, where the case has it; else the floor's normal.
 Vector3 upward(const std::filesystem::path& casePath, const std::optional<Plane>& floor)
 {
-    const auto models = casePath/"constant/models", gravity = casePath/"constant/g";
-    if (std::filesystem::exists(models) && std::filesystem::exists(gravity)
-        && Dictionary::read(models).lookupOr<std::string>("bodyForce", "none") == "gravity")
-    {
-        const Vector3 g = Dictionary::read(gravity).lookup<std::array<double, 3>>("value");
-        if (length(g) > 0) return -normalized(g);
-    }
+    const Vector3 g = caseGravity(casePath);
+    if (length(g) > 0) return -normalized(g);
     return floor ? floor->normal : Vector3(0, 0, 1);
 }
 
