@@ -67,9 +67,33 @@ TEST_F(DropCase, ProbeAngleReportsADropThatLeftTheWall)
     EXPECT_EQ(table("postProcessing/probeAngle/0/angle.csv").at(0).at("angle"), "nan");
 }
 
+TEST_F(DropCase, ProbeAngleReportsAFilm)
+{
+    // A disc of 1.5 mm radius, two spacings high.
+    const auto distance = [](const Vector3& p)
+    {
+        return std::max({std::hypot(p.x, p.y) - 1.5e-3, p.z - 2*spacing, -p.z});
+    };
+    writeTime("0", {drop(90)});
+    writePly
+    (
+        path()/"0/surface/liquid.ply",
+        marchTetrahedra(distance, {-1.7e-3, -1.71e-3, -1.3*spacing}, {1.7e-3, 1.7e-3, 4*spacing}, 0.5*spacing)
+    );
+    const Outcome outcome = call("probeAngle");
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"a film"}));
+    const auto row = table("postProcessing/probeAngle/0/angle.csv").at(0);
+    EXPECT_EQ(row.at("state"), "film");
+    EXPECT_EQ(row.at("angle"), "nan");
+    EXPECT_EQ(row.at("tangentMean"), "nan");
+    EXPECT_NEAR(number(row.at("height")), 2*spacing, 0.1*spacing);
+    EXPECT_NEAR(number(row.at("contactRadius")), 1.5e-3, 0.25*spacing);     // the mesh's rim loses half a cell
+}
+
 TEST_F(DropCase, ProbeAngleMeasuresOnABallAndAlongADirection)
 {
-    // A ball under the drop of the other tests, and a drop that leans by 0.3 of its height.
+    // A ball under the drop, then a drop on the floor that leans by a tenth of its height.
     const DropOnBall ballDrop = dropOnBall(110, 1000*spacing*spacing*spacing, 3e-3, {0, 0, 1});
     fs::remove_all(path()/"constant/solid");
     write("constant/walls", "ball { type sphere; centre (0 0 0); radius 3e-3; liquid outside; }\n");

@@ -1,7 +1,8 @@
 // type gravityDrop;  theta 60;  within 2;
 // Height and largest radius of a drop on the wall z = 0 under gravity against the profile of Bashforth and Adams of its
-// volume, in percent. The radius is that of the drop seen from above: the contact radius up to 90 degrees. Measured on
-// the mesh of the latest time. profile.csv holds the measured outline, radius by height, beside the exact one.
+// volume, in percent, and the surface tension by the profile that fits it best, which is asked of drops that are as large
+// as the capillary length. The radius is that of the drop seen from above: the contact radius up to 90 degrees. Measured
+// on the mesh of the latest time. profile.csv holds the measured outline, radius by height, beside the exact one.
 
 #include "Comparison.H"
 #include "core/fieldFile/CsvFile.H"
@@ -31,11 +32,13 @@ public:
         const std::size_t last = drops.rows() - 1;
         const double height = drops.number(last, "height");
         const double radius = std::sqrt(drops.number(last, "coveredArea")/std::numbers::pi);
+        const double sigmaWithin = results.radius() > 0.99*l ? 3 : std::nan("");        // percent
         writeProfile(results, exact);
         return
         {
             relativeRow("height", "m", exact.height(), height, within_),
             relativeRow("largest radius", "m", widest, radius, within_),
+            relativeRow("surface tension", "N/m", results.sigma, drops.number(last, "sigma"), sigmaWithin),
             relativeRow("height of a puddle", "m", 2*l*std::sin(theta_*std::numbers::pi/360), height, std::nan(""))
         };
     }
