@@ -1,14 +1,21 @@
 #include "geometry/sampling/ShellUnion.H"
 
+#include "geometry/PointsInside.H"
+
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/intersection.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <exception>
 #include <iterator>
 #include <utility>
 
@@ -101,6 +108,63 @@ std::size_t crossingPairs(const RepairMesh& mesh)
     }));
 }
 
+Vector3 toVector(const RepairKernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
+
+// Of a closed mesh that crosses itself: cuts the triangles along the crossings, and drops those that have the solid on both
+// sides, by the winding number in front of them and behind. False and no change where CGAL cannot do it.
+bool removeInside(RepairMesh& mesh)
+{
+    RepairMesh cut = mesh;
+    try
+    {
+        PMP::experimental::autorefine(cut, PMP::parameters::visitor(PatchKeeper()));
+    }
+    catch (const std::exception&)       // crossings of crossings that rounding tears apart
+    {
+        return false;
+    }
+    cut = copyOf(cut);
+
+    TriangleMesh all;
+    for (const auto v : cut.vertices()) all.vertices.push_back(toVector(cut.point(v)));
+    for (const Face face : cut.faces())
+    {
+        int k = 0;
+        all.faces.emplace_back();
+        for (const auto v : CGAL::vertices_around_face(cut.halfedge(face), cut)) all.faces.back()[k++] = int(v.idx());
+    }
+    constexpr double step = 1e-7;       // of the extent: as near as vertices are told apart
+    const double distance = step*std::cbrt(std::abs(all.volume()));
+    const int inside = all.volume() > 0 ? 1 : -1;
+    const WindingNumber winding(all);
+    const auto isInside = [&](const Vector3& x) { return inside*winding(x) >= 1; };
+
+    std::vector<RepairKernel::Point_3> points(cut.points().begin(), cut.points().end());
+    std::vector<std::vector<std::size_t>> faces;
+    std::vector<int> patch;
+    const RepairPatches patches = patchesOf(cut);
+    for (const Face face : cut.faces())
+    {
+        const auto& [i, j, k] = all.faces[face];
+        const Vector3 &a = all.vertices[i], &b = all.vertices[j], &c = all.vertices[k];
+        const Vector3 normal = cross(b - a, c - a), centre = (a + b + c)/3;
+        if (!(length(normal) > 0)) continue;
+        const Vector3 aside = distance/length(normal)*normal;
+        if (isInside(centre + aside) == isInside(centre - aside)) continue;
+        faces.push_back({std::size_t(i), std::size_t(j), std::size_t(k)});
+        patch.push_back(patches[face]);
+    }
+    PMP::merge_duplicate_points_in_polygon_soup(points, faces);
+    PMP::orient_polygon_soup(points, faces);
+    RepairMesh outside;
+    PMP::polygon_soup_to_polygon_mesh(points, faces, outside);
+    if (!CGAL::is_closed(outside) || crossingPairs(outside) > 0) return false;
+    const RepairPatches kept = patchesOf(outside);
+    for (const Face face : outside.faces()) kept[face] = patch[face];
+    mesh = std::move(outside);
+    return true;
+}
+
 RepairMesh join(const std::vector<RepairMesh>& shells)
 {
     RepairMesh all;
@@ -147,14 +211,11 @@ void uniteShells(RepairMesh& mesh, std::vector<std::string>& report)
         report.push_back(std::to_string(united + 1) + " shells that cross each other united");
     }
 
-    if (const std::size_t pairs = crossingPairs(mesh))
-    {
-        report.push_back
-        (
-            std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs") + " of triangles cross each other and stay: "
-            "what lies inside of the solid is sampled too"
-        );
-    }
+    const std::size_t pairs = crossingPairs(mesh);
+    if (pairs == 0) return;
+    const std::string found = std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs") + " of triangles that cross each other";
+    if (CGAL::is_closed(mesh) && removeInside(mesh)) report.push_back(found + " cut, and what lay inside of the solid removed");
+    else report.push_back(found + " left: what lies inside of the solid is sampled too");
 }
 
 }

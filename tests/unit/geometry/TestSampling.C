@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace shizuku::test
 {
@@ -178,6 +179,23 @@ TEST(SurfaceRepair, shellsThatCrossAreUnited)
     EXPECT_EQ(repaired.report, std::vector<std::string>{"2 shells that cross each other united"});
     EXPECT_EQ(repaired.shells, 1u);
     EXPECT_NEAR(repaired.surface.mesh.volume(), 64 + 64 - 8, 1e-12*120);     // constructed in double precision
+}
+
+TEST(SurfaceRepair, aShellThatCrossesItselfLosesItsInside)
+{
+    const PatchedSurface eight = tube([](double t)
+    {
+        const double a = 2*std::numbers::pi*t;
+        return Vector3(14*std::sin(a), 14*std::sin(a)*std::cos(a), 0.3*std::cos(a));
+    }, true, 2.2, 60, 12);
+    const RepairedSurface repaired = repairSurface(eight, 1, "eight.stl");
+    ASSERT_EQ(repaired.report.size(), 1u);
+    EXPECT_TRUE(holds(repaired.report[0], {"cross each other cut", "inside of the solid removed"}));
+    EXPECT_TRUE(repaired.closed);
+    // Two straight rods of these 12-sided sections, at right angles and 0.6 apart, share 48.592: the integral of the product of
+    // their widths over height. Those of the figure bend a little.
+    EXPECT_NEAR(eight.mesh.volume() - repaired.surface.mesh.volume(), 48.592, 0.05);
+    EXPECT_TRUE(repairSurface(repaired.surface, 1, "again.stl").report.empty());
 }
 
 TEST(SurfaceRepair, solidsThatShareAnEdgeAreCutApartAndDoNotCross)
