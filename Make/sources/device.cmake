@@ -10,6 +10,8 @@ set(SHIZUKU_DEVICE_SOURCES
     neighbours/Neighbourhood.C
     walls/HalfSpace.C
     walls/Walls.C
+    freeSurface/ExtendedLiquid.C
+    freeSurface/FreeSurface.C
     motion/Motion.C
     motion/LiquidState.C
     motion/SpeedMeter.C
@@ -18,16 +20,20 @@ set(SHIZUKU_DEVICE_SOURCES
     models/forces/InterParticleForces.C
     models/pressure/Pressure.C
     models/pressure/none/none.C
+    models/pressure/controls/PressureControls.C
+    models/pressure/completedPbf/CompletedPbf.C
     models/pressure/pbf/Pbf.C
     models/surfaceTension/SurfaceTension.C
     models/surfaceTension/none/none.C
     models/surfaceTension/pairTension/CohesionSpline.C
     models/surfaceTension/pairTension/PairTension.C
+    models/surfaceTension/continuumSurfaceForce/ContinuumSurfaceForce.C
     models/surfaceTension/Akinci2013/Akinci2013.C
     models/surfaceTension/Fujisawa2014/Fujisawa2014.C
     models/wetting/Wetting.C
     models/wetting/none/none.C
     models/wetting/Akinci2013/Akinci2013.C
+    models/wetting/extendedSurface/ExtendedSurface.C
     models/wetting/contactAngle/ContactAngle.C
     models/viscosity/Viscosity.C
     models/viscosity/none/none.C

@@ -36,9 +36,10 @@ void toleratePassiveCoefficients(const Dictionary& models)
 Models::Models(const std::filesystem::path& casePath, const Dictionary& solution, Liquid& liquid, Walls& walls)
 :
     dict(Dictionary::read(casePath / "constant/models")),
+    freeSurface(std::make_unique<FreeSurface>()),
     bodyForce(BodyForce::New(dict, casePath / "constant", liquid)),
-    forces(dict, liquid, walls),
-    pressure(Pressure::New(dict, solution, liquid)),
+    forces(dict, liquid, walls, *freeSurface),
+    pressure(Pressure::New(dict, solution, liquid, walls, *freeSurface)),
     viscosity(Viscosity::New(dict, liquid))
 {
     toleratePassiveCoefficients(dict);

@@ -8,7 +8,7 @@ namespace shizuku
 namespace
 {
 
-struct Search
+struct SearchGrid
 {
     CellGridView grid;
     Span<const Vec3> points, sources;
@@ -26,6 +26,24 @@ struct Search
     }
 };
 
+struct SearchList
+{
+    NeighbourView wider;
+    Span<const Vec3> points;
+    float support2;
+
+    template<class Visit>
+    HOST_DEVICE void forEachNeighbour(int i, Visit visit) const
+    {
+        const Vec3 p = points[i];
+        wider.forEach(i, [&](int j)
+        {
+            if (squared(p - points[j]) < support2) visit(j);
+        });
+    }
+};
+
+template<class Search>
 struct CountNeighbours
 {
     Search search;
@@ -56,6 +74,7 @@ struct LongestOfGroup
     }
 };
 
+template<class Search>
 struct StoreNeighbours
 {
     Search search;
@@ -76,17 +95,27 @@ struct StoreNeighbours
 
 }
 
-void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
+template<class Search>
+void NeighbourList::collect(int n, const Search& search)
 {
-    const Search search{grid.view(), points, sources, support_ * support_, sameSet};
     const int groups = (n + device::interleave - 1) / device::interleave;
     count_.resizeDiscarding(n);
     groupLength_.resizeDiscarding(groups);
-    forEach(n, CountNeighbours{search, count_.span()});
+    forEach(n, CountNeighbours<Search>{search, count_.span()});
     forEach(groups, LongestOfGroup{count_.span(), groupLength_.span()});
     entries_ = exclusiveScan(groupLength_, start_, "neighbours");
     index_.resizeDiscarding(int(entries_));
-    forEach(n, StoreNeighbours{search, start_.span(), index_.span()});
+    forEach(n, StoreNeighbours<Search>{search, start_.span(), index_.span()});
+}
+
+void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
+{
+    collect(n, SearchGrid{grid.view(), points, sources, support_ * support_, sameSet});
+}
+
+void NeighbourList::buildWithin(const NeighbourList& wider, Span<const Vec3> points, int n)
+{
+    collect(n, SearchList{wider.view(), points, support_ * support_});
 }
 
 }

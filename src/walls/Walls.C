@@ -8,7 +8,9 @@
 #include "geometry/thetaModels/ThetaField.H"
 #include "particles/ParticleFiles.H"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace shizuku
@@ -78,19 +80,62 @@ struct VirtualVolume
     }
 };
 
+// The tangent plane of the layer near a liquid particle: the mean over the solid particles that are hardly farther than
+// the nearest one, weighted by (1 - (r^2 - r_min^2)/(2d)^2)^2. The layer lies half a spacing inside the solid.
+// Beside the border of a layer there is no wall.
+struct FitPlane
+{
+    float spacing;
+    Span<const Vec3> x;
+    WallParticlesView solid;
+    Span<Vec3> normal;
+    Span<float> offset, cosTheta;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 xi = x[i];
+        float nearest = 1e30f;
+        solid.near.forEach(i, [&](int k) { nearest = fminf(nearest, squared(xi - solid.position[k])); });
+        Vec3 direction;
+        float level = 0, cosine = 0, total = 0;
+        solid.near.forEach(i, [&](int k)
+        {
+            const float w = 1 - (squared(xi - solid.position[k]) - nearest) / (4 * spacing * spacing);
+            if (w <= 0) return;
+            const float weight = w * w;
+            total += weight;
+            direction += weight * solid.normal[k];
+            level += weight * dot(solid.normal[k], solid.position[k]);
+            cosine += weight * (solid.cosTheta.size > 0 ? solid.cosTheta[k] : 0);
+        });
+        const float length = norm(direction);
+        normal[i] = {0, 0, 1};
+        offset[i] = WallPlanesView::nowhere;
+        cosTheta[i] = 0;
+        if (total == 0 || length < 1e-6f * total) return;
+
+        const Vec3 n = (1 / length) * direction;
+        const float plane = level / total + 0.5f * spacing, height = dot(n, xi) - plane;
+        const float aside = nearest - (height + 0.5f * spacing) * (height + 0.5f * spacing);
+        if (aside > 2.25f * spacing * spacing) return;
+        normal[i] = n;
+        offset[i] = plane;
+        cosTheta[i] = cosine / total;
+    }
+};
+
 struct KeepOutside
 {
-    WallSurfacesView surfaces;
+    WallView walls;
     float closest;
     Span<Vec3> predicted;
 
     HOST_DEVICE void operator()(int i) const
     {
-        for (int a = 0; a < surfaces.count; ++a)
+        walls.forEachContact(i, predicted[i], closest, [&](int, const WallContact& contact)
         {
-            const auto place = surfaces.surface[a](predicted[i]);
-            if (place.distance < closest) predicted[i] += (closest - place.distance) * place.normal;
-        }
+            predicted[i] += (closest - contact.distance) * contact.normal;
+        });
     }
 };
 
@@ -188,12 +233,43 @@ void Walls::readParticles(const Liquid& liquid)
     }
     shizuku::readParticles(solid_, liquid.units(), folder);
 
-    grid_.emplace(liquid.support());
-    near_.emplace(liquid.support());
-    const Buffer<std::uint32_t>& order = grid_->build(position_->span(), solid_.all());
-    fields.reorder(order);
-    order_.upload(order.download());
+    std::vector<std::uint32_t> order(solid_.all());
+    std::iota(order.begin(), order.end(), 0u);
+    order_.upload(order);
+    sortParticles(liquid.support());
     computeVirtualVolumes(liquid);
+}
+
+// Into cells that a search within `support` needs.
+void Walls::sortParticles(float support)
+{
+    grid_.emplace(support);
+    near_.emplace(support);
+    const Buffer<std::uint32_t>& order = grid_->build(position_->span(), solid_.all());
+    solid_.fields().reorder(order);
+    std::vector<std::uint32_t> now = order.download();
+    const auto before = order_.download();
+    for (std::uint32_t& k : now) k = before[k];
+    order_.upload(now);
+}
+
+void Walls::requireContacts(const Liquid& liquid, float reach)
+{
+    contacts_ = true;
+    // From the layer, half a spacing inside of the solid, with room for the patch that gives the plane.
+    const float support = reach + 1.5f * liquid.spacing();
+    if (solid_.all() > 0 && support > near_->support()) sortParticles(support);
+}
+
+std::pair<double, double> Walls::contactAngles() const
+{
+    constexpr double degree = 3.14159265358979323846 / 180;
+    if (!cosTheta_) return {90, 90};
+    std::vector<float> cosines = cosTheta_->download();
+    for (int a = 0; a < surfaces_.count; ++a) cosines.push_back(surfaces_.surface[a].cosTheta);
+    if (cosines.empty()) return {90, 90};
+    const auto [least, most] = std::minmax_element(cosines.begin(), cosines.end());
+    return {std::acos(double(*most)) / degree, std::acos(double(*least)) / degree};
 }
 
 // Equation (9) with equal masses: V_k = 1/sum_l W(x_k - x_l), l = k included.
@@ -272,14 +348,24 @@ std::optional<WallCosines> Walls::cosines() const
 
 void Walls::update(const Liquid& liquid)
 {
-    if (solid_.all() > 0) near_->build(liquid.predicted.span(), liquid.owned(), *grid_, position_->span(), false);
+    if (solid_.all() == 0) return;
+    near_->build(liquid.predicted.span(), liquid.owned(), *grid_, position_->span(), false);
+    if (!contacts_) return;
+    planeNormal_.resizeDiscarding(liquid.all());
+    planeOffset_.resizeDiscarding(liquid.all());
+    planeCosTheta_.resizeDiscarding(liquid.all());
+    forEach(liquid.owned(), FitPlane
+    {
+        liquid.spacing(), liquid.predicted.span(), view().particles, planeNormal_.span(), planeOffset_.span(),
+        planeCosTheta_.span()
+    });
 }
 
 void Walls::project(Liquid& liquid) const
 {
-    if (surfaces_.count > 0)
+    if (surfaces_.count > 0 || (contacts_ && solid_.all() > 0))
     {
-        forEach(liquid.owned(), KeepOutside{surfaces_, 0.5f * liquid.spacing(), liquid.predicted.span()});
+        forEach(liquid.owned(), KeepOutside{view(), 0.5f * liquid.spacing(), liquid.predicted.span()});
     }
     if (solid_.all() > 0)
     {
@@ -344,6 +430,7 @@ WallView Walls::view() const
             near_->view(), position_->span(), normal_->span(), volume_->span(),
             cosTheta_ ? Span<const float>(cosTheta_->span()) : Span<const float>{}
         };
+        if (contacts_) view.planes = {planeNormal_.span(), planeOffset_.span(), planeCosTheta_.span()};
     }
     return view;
 }

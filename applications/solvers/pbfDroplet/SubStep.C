@@ -10,12 +10,13 @@ void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, 
     models.bodyForce->apply(liquid, dt);
     predictPositions(liquid, dt);
 
-    near.update(liquid);
+    near.update(liquid, models.freeSurface->support());
     walls.update(liquid);
+    models.freeSurface->update(liquid, near, walls);
     models.forces.applyBeforeIterations(liquid, near, walls, dt);
     walls.project(liquid);
 
-    models.pressure->begin();
+    models.pressure->begin(dt);
     while (models.pressure->violated(liquid, near, walls))
     {
         models.forces.applyInIteration(liquid, near, walls, dt);

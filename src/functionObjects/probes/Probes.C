@@ -9,7 +9,7 @@
 //         probeLocations  ((0 0 1e-3) (0 0 2e-3));        // m
 //     }
 //
-// rho [kg/m3], U [m/s], p [Pa] (where the pressure model has one; see Pressure::keepPotential). A row a probe: its number,
+// rho [kg/m3], U [m/s], p [Pa] (where the pressure model has one; see Pressure::keepPressure). A row a probe: its number,
 // its place, `fill`, the share of the kernel that liquid fills (1 inside, 1/2 on the surface), and the values; they are
 // not numbers where no liquid is within the kernel's support.
 
@@ -27,7 +27,7 @@ namespace
 
 struct ProbeSums
 {
-    double fill = 0, weight = 0, density = 0, potential = 0;
+    double fill = 0, weight = 0, density = 0, pressure = 0;
     double velocity[3] = {0, 0, 0};
 
     HOST_DEVICE void add(const ProbeSums& other)
@@ -35,7 +35,7 @@ struct ProbeSums
         fill += other.fill;
         weight += other.weight;
         density += other.density;
-        potential += other.potential;
+        pressure += other.pressure;
         for (int c = 0; c < 3; ++c) velocity[c] += other.velocity[c];
     }
 };
@@ -46,7 +46,7 @@ struct Weighted
     Kernel W;
     Vec3 point;
     Span<const Vec3> position, velocity;
-    Span<const float> density, potential;       // potential: may be empty
+    Span<const float> density, pressure;       // pressure: may be empty
 
     HOST_DEVICE ProbeSums operator()(int j) const
     {
@@ -57,7 +57,7 @@ struct Weighted
         sums.fill = W_j;
         sums.weight = weight;
         sums.density = weight * density[j];
-        if (potential.size > 0) sums.potential = weight * potential[j];
+        if (pressure.size > 0) sums.pressure = weight * pressure[j];
         sums.velocity[0] = weight * velocity[j].x;
         sums.velocity[1] = weight * velocity[j].y;
         sums.velocity[2] = weight * velocity[j].z;
@@ -88,8 +88,8 @@ public:
     {
         if (!asked("p")) return;
         const bool atStart = flow.subStep() == 0;
-        potential_ = flow.models.pressure->keepPotential();
-        if (potential_ || !atStart) return;             // a model without pressure in the middle of a run: no numbers
+        pressure_ = flow.models.pressure->keepPressure();
+        if (pressure_ || !atStart) return;             // a model without pressure in the middle of a run: no numbers
         throw FatalInputError(where_, "The pressure model of constant/models has no pressure p", "rho, U; or pressure pbf");
     }
 
@@ -124,12 +124,12 @@ private:
         const ProbeSums sums = sumsAt(liquid, x);
         // 0/0 where there is no liquid: not a number
         const double velocity = liquid.units().of(dimensions::velocity) / sums.weight;
-        const double rho0 = flow.properties().density, length = liquid.units().length / flow.subStep();
+        const double rho0 = flow.properties().density, pascal = liquid.units().of(dimensions::pressure);
         std::vector<CsvFile::Cell> cells{flow.time.value(), double(probe), x[0], x[1], x[2]};
         cells.emplace_back(sums.fill * liquid.particleVolume() / liquid.latticeSum());
         if (asked("rho")) cells.emplace_back(rho0 * sums.density / sums.weight);
         if (asked("U")) for (const double u : sums.velocity) cells.emplace_back(u * velocity);
-        if (asked("p")) cells.emplace_back(potential_ ? rho0 * length * length * sums.potential / sums.weight : NAN);
+        if (asked("p")) cells.emplace_back(pressure_ ? pascal * sums.pressure / sums.weight : NAN);
         return cells;
     }
 
@@ -147,7 +147,7 @@ private:
                     Weighted<Kernel>
                     {
                         W, point, liquid.position.span(), liquid.velocity.span(), liquid.density.span(),
-                        potential_ ? potential_->span() : Span<const float>{}
+                        pressure_ ? pressure_->span() : Span<const float>{}
                     },
                     scratch_
                 );
@@ -160,7 +160,7 @@ private:
     SourceLocation where_;
     std::vector<std::array<double, 3>> places_;         // m
     CsvFile table_;
-    const Buffer<float>* potential_ = nullptr;
+    const Buffer<float>* pressure_ = nullptr;
     Buffer<ProbeSums> scratch_;
 };
 

@@ -5,13 +5,13 @@
 namespace shizuku
 {
 
-InterParticleForces::InterParticleForces(const Dictionary& models, Liquid& liquid, Walls& walls)
+InterParticleForces::InterParticleForces(const Dictionary& models, Liquid& liquid, Walls& walls, FreeSurface& surface)
 :
     everyIteration_
     (
         models.lookupChoiceOr("forceCoupling", {"predictor", "everyIteration"}, "predictor") == "everyIteration"
     ),
-    tension_(SurfaceTension::New(models, liquid, walls)),
+    tension_(SurfaceTension::New(models, liquid, walls, surface)),
     wetting_(Wetting::New(models, liquid, walls, *tension_))
 {}
 

@@ -3,12 +3,15 @@
 namespace shizuku
 {
 
-std::unique_ptr<Pressure> Pressure::New(const Dictionary& models, const Dictionary& solution, Liquid& liquid)
+std::unique_ptr<Pressure> Pressure::New
+(
+    const Dictionary& models, const Dictionary& solution, Liquid& liquid, Walls& walls, FreeSurface& surface
+)
 {
     return PressureTable::New
     (
         "pressure", models.lookup<std::string>("pressure"), models.where("pressure"),
-        solution.subDictOrEmpty("pressure"), liquid
+        solution.subDictOrEmpty("pressure"), liquid, walls, surface
     );
 }
 

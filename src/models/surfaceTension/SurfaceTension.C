@@ -3,12 +3,16 @@
 namespace shizuku
 {
 
-std::unique_ptr<SurfaceTension> SurfaceTension::New(const Dictionary& models, Liquid& liquid, Walls& walls)
+std::unique_ptr<SurfaceTension> SurfaceTension::New
+(
+    const Dictionary& models, Liquid& liquid, Walls& walls, FreeSurface& surface
+)
 {
     const auto word = models.lookup<std::string>("surfaceTension");
     return SurfaceTensionTable::New
     (
-        "surfaceTension", word, models.where("surfaceTension"), models.subDictOrEmpty(word + "Coeffs"), liquid, walls
+        "surfaceTension", word, models.where("surfaceTension"), models.subDictOrEmpty(word + "Coeffs"), liquid, walls,
+        surface
     );
 }
 

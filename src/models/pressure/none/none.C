@@ -11,9 +11,9 @@ namespace
 class NoPressure : public Pressure
 {
 public:
-    NoPressure(const Dictionary& dict, Liquid&) { dict.markUsed(); }
+    NoPressure(const Dictionary& dict, Liquid&, Walls&, FreeSurface&) { dict.markUsed(); }
 
-    void begin() override {}
+    void begin(float) override {}
     bool violated(Liquid&, const Neighbourhood&, const Walls&) override { return false; }
     void correct(Liquid&, const Neighbourhood&, const Walls&) override {}
     int iterations() const override { return 0; }

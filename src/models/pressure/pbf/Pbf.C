@@ -1,7 +1,5 @@
 #include "models/pressure/pbf/Pbf.H"
 
-#include "device/Reduce.H"
-#include "maths/Lattice.H"
 #include "models/density/Density.H"
 
 namespace shizuku
@@ -11,20 +9,6 @@ namespace
 {
 
 const PressureTable::Add<Pbf> registered{"pbf"};
-
-// Sum of |V grad W|^2 over the cubic lattice: the scale of epsilon.
-float bulkSum(const Liquid& liquid)
-{
-    return std::visit
-    (
-        [&](const auto& W)
-        {
-            const auto square = [&](float r) { return W.g(r) * r * W.g(r) * r; };
-            return liquid.particleVolume() * latticeSum(liquid.spacing(), W.h, square);
-        },
-        liquid.kernel()
-    );
-}
 
 template<class Kernel>
 struct Multiplier
@@ -102,65 +86,38 @@ struct Correction
     }
 };
 
-struct AddPotential
+struct AddPressure
 {
-    float relaxation;
+    float factor;                       // w rho0/dt^2
     Span<const float> multiplier;
-    Span<float> potential;
+    Span<float> pressure;
 
-    HOST_DEVICE void operator()(int i) const { potential[i] += relaxation * multiplier[i]; }
+    HOST_DEVICE void operator()(int i) const { pressure[i] += factor * multiplier[i]; }
 };
-
-template<class Sum>
-struct Compression
-{
-    Span<const float> density;
-
-    HOST_DEVICE Sum operator()(int i) const { return {fmaxf(density[i] - 1, 0)}; }
-};
-
-Pbf::Parameters readParameters(const Dictionary& dict, const Liquid& liquid)
-{
-    Pbf::Parameters p;
-    p.minIterations = dict.lookupOr("minIterations", 2);
-    p.maxIterations = dict.lookupOr("maxIterations", 10);
-    p.tolerance = dict.lookupOr("tolerance", 1e-3);
-    p.relaxation = float(dict.lookupOr("relaxation", 0.3));
-    p.epsilon = float(dict.lookupOr("epsilon", 1e-3)) * bulkSum(liquid);
-    p.selfGradient = dict.lookupOr("selfGradient", true);
-    p.unilateral = dict.lookupOr("unilateral", true);
-    const auto refuse = [&](const std::string& key, bool wrong, const std::string& expected)
-    {
-        if (wrong) throw FatalInputError(dict.where(key), "Entry '" + key + "' is out of range", expected);
-    };
-    refuse("maxIterations", p.maxIterations < 1, "1 or more");
-    refuse("minIterations", p.minIterations < 0 || p.minIterations > p.maxIterations, "0 to maxIterations");
-    refuse("tolerance", !(p.tolerance >= 0), "0 (every iteration is made) or more");
-    refuse("relaxation", !(p.relaxation > 0 && p.relaxation < 2), "more than 0 and less than 2");
-    refuse("epsilon", !(p.epsilon >= 0), "0 or more");
-    return p;
-}
 
 }
 
-Pbf::Pbf(const Dictionary& dict, Liquid& liquid)
+Pbf::Pbf(const Dictionary& dict, Liquid& liquid, Walls&, FreeSurface&)
 :
-    parameters_(readParameters(dict, liquid)),
+    controls_(PressureControls::read(dict, liquid)),
+    selfGradient_(dict.lookupOr("selfGradient", true)),
+    unilateral_(dict.lookupOr("unilateral", true)),
     multiplier_(liquid.fields().require<float>({.name = "multiplier", .dimensions = dimensions::none, .sorted = false, .exchanged = true}))
 {}
 
-double Pbf::averageError(const Liquid& liquid)
+void Pbf::begin(float dt)
 {
-    return reduce(liquid.owned(), Compression<Sum>{liquid.density.span()}, scratch_).value / liquid.owned();
+    iterations_ = 0;
+    dt_ = dt;
 }
 
 bool Pbf::violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls)
 {
-    if (iterations_ >= parameters_.maxIterations || liquid.owned() == 0) return false;
-    if (keepsPotential_ && iterations_ == 0)
+    if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
+    if (keepsPressure_ && iterations_ == 0)
     {
-        potential_.resizeDiscarding(liquid.all());
-        potential_.setZero();
+        pressure_.resizeDiscarding(liquid.all());
+        pressure_.setZero();
     }
     std::visit
     (
@@ -169,14 +126,14 @@ bool Pbf::violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls
             const float V = liquid.particleVolume();
             forEach(liquid.owned(), Multiplier<Kernel>
             {
-                W, V, V / liquid.latticeSum(), parameters_.epsilon, parameters_.selfGradient, parameters_.unilateral,
+                W, V, V / liquid.latticeSum(), controls_.epsilon, selfGradient_, unilateral_,
                 liquid.predicted.span(), near.view(), walls.view(), liquid.density.span(), multiplier_.span()
             });
         },
         liquid.kernel()
     );
-    if (iterations_ < parameters_.minIterations || parameters_.tolerance == 0) return true;
-    return averageError(liquid) > parameters_.tolerance;
+    if (iterations_ < controls_.minIterations || controls_.tolerance == 0) return true;
+    return compression_(liquid) > controls_.tolerance;
 }
 
 void Pbf::correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls)
@@ -189,23 +146,24 @@ void Pbf::correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls)
         {
             forEach(liquid.owned(), Correction<Kernel>
             {
-                W, liquid.particleVolume(), parameters_.relaxation, liquid.predicted.span(), near.view(), walls.view(),
+                W, liquid.particleVolume(), controls_.relaxation, liquid.predicted.span(), near.view(), walls.view(),
                 multiplier_.span(), corrected_.span()
             });
         },
         liquid.kernel()
     );
     liquid.predicted.swap(corrected_);
-    if (keepsPotential_)
+    if (keepsPressure_)
     {
-        forEach(liquid.owned(), AddPotential{parameters_.relaxation, multiplier_.span(), potential_.span()});
+        const float factor = controls_.relaxation * liquid.restDensity() / (dt_ * dt_);
+        forEach(liquid.owned(), AddPressure{factor, multiplier_.span(), pressure_.span()});
     }
 }
 
-const Buffer<float>* Pbf::keepPotential()
+const Buffer<float>* Pbf::keepPressure()
 {
-    keepsPotential_ = true;
-    return &potential_;
+    keepsPressure_ = true;
+    return &pressure_;
 }
 
 }

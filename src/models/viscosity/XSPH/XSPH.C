@@ -1,11 +1,12 @@
 // XSPH: velocities drift towards their neighbours' mean (Monaghan 1989; Macklin and Mueller 2013, equation (17)).
 //
-//     u_i += c sum_j V (u_j - u_i) W_ij
+//     u_i += c [ sum_j V (u_j - u_i) W_ij - u_i (walls) ]
 //
 // A smoothing per step, not a physical viscosity: nu does not enter, and the damping of a second depends on the step.
+// With noSlip the walls, at rest, take part by their kernel density.
 //
 //     viscosity   XSPH;
-//     XSPHCoeffs  { c 0.05; }
+//     XSPHCoeffs  { c 0.05; noSlip yes; }
 
 #include "models/viscosity/Viscosity.H"
 
@@ -19,9 +20,11 @@ template<class Kernel>
 struct Smooth
 {
     Kernel W;
-    float weight;                       // c V
+    float c, volume;
     Span<const Vec3> x, velocity;
     NeighbourView near;
+    bool noSlip;
+    WallView walls;
     Span<Vec3> smoothed;
 
     HOST_DEVICE void operator()(int i) const
@@ -29,19 +32,30 @@ struct Smooth
         const Vec3 xi = x[i], ui = velocity[i];
         Vec3 sum;
         near.forEach(i, [&](int j) { sum += W.W(norm(xi - x[j])) * (velocity[j] - ui); });
-        smoothed[i] = ui + weight * sum;
+        sum = volume * sum;
+        if (noSlip)
+        {
+            sum -= walls.surfaces.density(xi).value * ui;
+            walls.particles.near.forEach(i, [&](int k)
+            {
+                sum -= walls.particles.volume[k] * W.W(norm(xi - walls.particles.position[k])) * ui;
+            });
+        }
+        smoothed[i] = ui + c * sum;
     }
 };
 
 class XSPH : public Viscosity
 {
 public:
-    XSPH(const Dictionary& coeffs, Liquid&) : c_(float(coeffs.lookupOr("c", 0.05)))
+    XSPH(const Dictionary& coeffs, Liquid&)
+    :
+        c_(float(coeffs.lookupOr("c", 0.05))), noSlip_(coeffs.lookupOr("noSlip", true))
     {
         if (!(c_ >= 0 && c_ <= 1)) throw FatalInputError(coeffs.where("c"), "Coefficient c is out of range", "0 to 1");
     }
 
-    void apply(Liquid& liquid, const Neighbourhood& near, const Walls&, float) override
+    void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float) override
     {
         smoothed_.resizeDiscarding(liquid.all());
         std::visit
@@ -50,8 +64,8 @@ public:
             {
                 forEach(liquid.owned(), Smooth<Kernel>
                 {
-                    W, c_ * liquid.particleVolume(), liquid.position.span(), liquid.velocity.span(), near.view(),
-                    smoothed_.span()
+                    W, c_, liquid.particleVolume(), liquid.position.span(), liquid.velocity.span(), near.view(), noSlip_,
+                    walls.view(), smoothed_.span()
                 });
             },
             liquid.kernel()
@@ -61,6 +75,7 @@ public:
 
 private:
     float c_;
+    bool noSlip_;
     Buffer<Vec3> smoothed_;
 };
 

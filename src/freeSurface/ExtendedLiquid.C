@@ -1,0 +1,139 @@
+#include "freeSurface/ExtendedLiquid.H"
+
+#include "device/ForEach.H"
+
+#include <cmath>
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+// Integrals of the kernel along the contact line's direction, over the distance from that line's plane of symmetry.
+struct Marginal
+{
+    float value, slope;             // of W or |W'| r, of W'/r
+};
+
+struct MarginalView
+{
+    Span<const Marginal> table;
+
+    HOST_DEVICE Marginal operator()(float distance) const
+    {
+        const float x = distance * float(table.size - 1);
+        const int i = int(x);
+        if (i >= table.size - 1) return {0, 0};
+        const float f = x - float(i);
+        const Marginal a = table[i], b = table[i + 1];
+        return {a.value + f * (b.value - a.value), a.slope + f * (b.slope - a.slope)};
+    }
+};
+
+std::vector<Marginal> tabulateMarginals(const KernelChoice& kernel, ExtendedLiquid::Value which)
+{
+    constexpr int n = 512, parts = 200;
+    const float h = supportOf(kernel);
+    std::vector<Marginal> table(n + 1);
+    std::visit
+    (
+        [&](const auto& W)
+        {
+            for (int i = 0; i <= n; ++i)
+            {
+                const double x = double(i) / n, length = std::sqrt(1 - x * x);
+                double value = 0, slope = 0;
+                for (int k = 0; k < parts; ++k)
+                {
+                    const double y = length * (k + 0.5) / parts, r = std::sqrt(x * x + y * y);
+                    // Of the kernel with support 1.
+                    const double w = W.W(float(r * h)) * h * h * h, g = W.g(float(r * h)) * h * h * h * h * h;
+                    value += which == ExtendedLiquid::Value::kernel ? w : -g * r * r;
+                    slope += g;
+                }
+                table[i] = {float(2 * length / parts * value), float(2 * length / parts * slope)};
+            }
+        },
+        kernel
+    );
+    return table;
+}
+
+struct Integrate
+{
+    MarginalView marginal;
+    float firstAngle, angleStep, cutDepth;
+    bool alongInterface;
+    Span<WedgeIntegrals> table;
+
+    HOST_DEVICE void operator()(int entry) const
+    {
+        using View = ExtendedLiquidView;
+        const int b = entry % (View::depths + 1), a = entry / (View::depths + 1) % (View::distances + 1);
+        const float theta = firstAngle + angleStep * float(entry / (View::depths + 1) / (View::distances + 1));
+        const float z = float(a) / View::distances, s = 2 * float(b) / View::depths - 1;
+        const float sine = sinf(theta), cosine = cosf(theta);
+
+        // y - x = along t + below n; sums over below = -1 ... -z, and over what of `along` is inside of the wedge.
+        constexpr int n = 48;
+        double value = 0, tangential = 0, normal = 0;
+        for (int i = 0; i < n; ++i)
+        {
+            const float below = -z - (1 - z) * (float(i) + 0.5f) / n;
+            const float reach = sqrtf(fmaxf(1 - below * below, 0));
+            const float depth = s - below * cosine;     // of the point at along = 0
+            float from = -reach, to = reach;
+            if (sine > 1e-3f)
+            {
+                to = fminf(to, depth / sine);
+                from = fmaxf(from, (depth - cutDepth) / sine);
+            }
+            else if (depth < 0 || depth > cutDepth)
+            {
+                continue;
+            }
+            if (from >= to) continue;
+            const float area = (1 - z) / n * (to - from) / n;
+            for (int j = 0; j < n; ++j)
+            {
+                const float along = from + (to - from) * (float(j) + 0.5f) / n;
+                const Marginal m = marginal(sqrtf(along * along + below * below));
+                const float up = alongInterface ? along * sine + below * cosine : 0;
+                value += (m.value + m.slope * up * up) * area;
+                tangential -= m.slope * along * area;
+                normal -= m.slope * below * area;
+            }
+        }
+        table[entry] = {float(value), float(tangential), float(normal)};
+    }
+};
+
+}
+
+ExtendedLiquid::ExtendedLiquid
+(
+    const KernelChoice& kernel, double smallestTheta, double largestTheta, Value value, float cutDepth
+)
+{
+    constexpr double widest = 5;
+    const int steps = int(std::ceil((largestTheta - smallestTheta) / widest - 1e-6));
+    angles_ = steps + 1;
+    firstAngle_ = float(smallestTheta * degree);
+    angleStep_ = steps > 0 ? float((largestTheta - smallestTheta) * degree / steps) : 1;
+
+    const Buffer<Marginal> marginals(tabulateMarginals(kernel, value));
+    table_.resize(angles_ * (ExtendedLiquidView::distances + 1) * (ExtendedLiquidView::depths + 1));
+    const bool alongInterface = value == Value::alongInterface;
+    forEach(table_.size(), Integrate{{marginals.span()}, firstAngle_, angleStep_, cutDepth, alongInterface, table_.span()});
+    synchronize();                          // the marginals go out of scope
+}
+
+ExtendedLiquidView ExtendedLiquid::view() const
+{
+    return {table_.span(), angles_, firstAngle_, angleStep_};
+}
+
+}

@@ -1,0 +1,158 @@
+#include "freeSurface/FreeSurface.H"
+
+#include "maths/Lattice.H"
+
+#include <algorithm>
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct Reconstruct
+{
+    WendlandC2 W;
+    float volume;                           // V/S
+    Span<const Vec3> x;
+    NeighbourView near;
+    WallCompletion completion;
+    HalfSpaceView plane;
+    Span<const float> depthOfRatio;
+    float largestRatio;
+    Span<Vec3> gradient;
+    Span<float> depth;
+    Span<ContactLine> contact;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 xi = x[i];
+        float colour = W.W(0);
+        Vec3 G;
+        near.forEach(i, [&](int j)
+        {
+            const Vec3 r = xi - x[j];
+            const float distance = norm(r);
+            colour += W.W(distance);
+            G += W.g(distance) * r;
+        });
+        colour *= volume;
+        G = volume * G;
+
+        const ContactLine line = findContact(i, xi, colour, G);
+        const auto wall = completion(i, xi, line);
+        colour += wall.value;
+        G += wall.gradient;
+        contact[i] = line;
+        gradient[i] = G;
+        depth[i] = depthOf(norm(G) / colour * W.h);
+    }
+
+private:
+    HOST_DEVICE ContactLine findContact(int i, Vec3 xi, float colour, Vec3 G) const
+    {
+        ContactLine line;
+        Vec3 normal;
+        float nearest = W.h, cosine = 0;
+        completion.walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
+        {
+            if (wall.distance >= nearest) return;
+            nearest = wall.distance;
+            normal = wall.normal;
+            cosine = wall.cosTheta;
+            line.wall = a;
+        });
+        if (line.wall < 0) return line;
+
+        line.theta = acosf(fminf(fmaxf(cosine, -1), 1));
+        const Vec3 along = G - dot(G, normal) * normal;
+        line.tangent = -1 / fmaxf(norm(along), 1e-20f) * along;
+
+        // The other walls count as full.
+        float open = 1;
+        completion.walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
+        {
+            if (a != line.wall) open *= 1 - completion.extended(line.theta, wall.distance / W.h, 1).value;
+        });
+        line.depth = depthBelow(colour + 1 - open, nearest / W.h, line.theta);
+        return line;
+    }
+
+    // The depth at which the wall's side of a planar interface would have that much colour in front of it.
+    HOST_DEVICE float depthBelow(float colour, float z, float theta) const
+    {
+        float low = -W.h, high = W.h;
+        for (int k = 0; k < 12; ++k)
+        {
+            const float s = 0.5f * (low + high);
+            const float inFront = 1 - plane(s).density - completion.extended(theta, z, s / W.h).value;
+            (inFront < colour ? low : high) = s;
+        }
+        return 0.5f * (low + high);
+    }
+
+    HOST_DEVICE float depthOf(float ratio) const
+    {
+        const int last = depthOfRatio.size - 1;
+        const float place = ratio / largestRatio * float(last);
+        if (!(place < float(last))) return depthOfRatio[last];
+        const int k = int(place);
+        return depthOfRatio[k] + (place - float(k)) * (depthOfRatio[k + 1] - depthOfRatio[k]);
+    }
+};
+
+}
+
+void FreeSurface::require(const Liquid& liquid, Walls& walls, float support, float suction)
+{
+    const float h = support * liquid.spacing();
+    walls.requireContacts(liquid, h);
+    suction_ = suction;
+    kernel_.emplace(h);
+    const WendlandC2 W = *kernel_;
+    latticeSum_ = latticeSum(liquid.spacing(), h, [&](float r) { return W.W(r); });
+
+    const auto plane = tabulateHalfSpace(W);
+    plane_.upload(plane);
+    const HalfSpaceView view{{plane.data(), int(plane.size())}, h};
+    steepest_ = view(0).gradient;
+
+    // From deep inside to half a spacing below the surface the ratio grows: invert it there.
+    const float shallowest = 0.5f * liquid.spacing();
+    const auto ratio = [&](float s) { return h * view(s).gradient / (1 - view(s).density); };
+    largestRatio_ = ratio(shallowest);
+    constexpr int n = 256;
+    std::vector<float> depths(n + 1);
+    for (int k = 0; k <= n; ++k)
+    {
+        float low = shallowest, high = h;
+        for (int step = 0; step < 40; ++step)
+        {
+            const float s = 0.5f * (low + high);
+            (ratio(s) > largestRatio_ * float(k) / n ? low : high) = s;
+        }
+        depths[k] = 0.5f * (low + high);
+    }
+    depthOfRatio_.upload(depths);
+}
+
+void FreeSurface::update(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
+{
+    if (!active()) return;
+    if (!extended_)
+    {
+        const auto [smallest, largest] = walls.contactAngles();
+        extended_.emplace(*kernel_, smallest, largest, ExtendedLiquid::Value::kernel);
+    }
+    gradient_.resizeDiscarding(liquid.all());
+    depth_.resizeDiscarding(liquid.all());
+    contact_.resizeDiscarding(liquid.all());
+    forEach(liquid.owned(), Reconstruct
+    {
+        *kernel_, liquid.particleVolume() / latticeSum_, liquid.predicted.span(), near.wide(),
+        {extended_->view(), kernel_->h, walls.view()}, {plane_.span(), kernel_->h}, depthOfRatio_.span(), largestRatio_,
+        gradient_.span(), depth_.span(), contact_.span()
+    });
+}
+
+}

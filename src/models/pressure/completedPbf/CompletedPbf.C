@@ -1,0 +1,184 @@
+// Position based fluids with the density completed where neighbours are missing: at the free surface and at walls.
+//
+// The density of Macklin and Mueller 2013 reads a particle at the free surface as diluted and packs it until the drop has
+// lost a tenth of its volume. Here the density is compared with that of a planar surface at the particle's depth, and a
+// wall holds the liquid's extension (freeSurface/ExtendedLiquid.H):
+//
+//     C_i  = rho_i/(rho0 E_i) - 1,   rho_i/rho0 = V sum_j W_ij / S + walls,   E_i = 1 - Psi(s_i)
+//     p_i  : increased in each iteration by w C_i / (sum_j |V grad W_ij|^2 + |sum|^2 + epsilon) rho0/dt^2, kept >= -p_s
+//     dx_i = -(dt^2/rho0) [ sum_j V (dp_i + dp_j) grad W_ij + 2 dp_i grad(walls) ]
+//
+// with Psi(s) the kernel's integral over the half-space beyond distance s, s_i from FreeSurface.H, dp the increase of p. The
+// multiplier is the pressure, p [Pa]: it begins each step at zero and may fall again within the step. It pulls no more than
+// the surface can bear, p_s: the suction that the tension allows (sigma/d), nothing without tension.
+//
+//     pressure    completedPbf;           // in constant/models
+//
+// Its controls stand in system/solution: controls/PressureControls.H. Trials: doc/theory/completedPbf.md.
+
+#include "freeSurface/FreeSurface.H"
+#include "models/pressure/Pressure.H"
+#include "models/pressure/controls/AverageCompression.H"
+#include "models/pressure/controls/PressureControls.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+template<class Kernel>
+struct RaisePressure
+{
+    Kernel W;
+    float volume, densityVolume;            // V, V/S
+    float relaxation, epsilon, perPressure, lowest; // perPressure: dt^2/rho0; lowest: -p_s
+    Span<const Vec3> x;
+    NeighbourView near;
+    WallCompletion walls;
+    FreeSurfaceView surface;
+    HalfSpaceView plane;
+    Span<float> density, pressure, increase;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 xi = x[i];
+        float liquid = W.W(0), squares = 0;
+        Vec3 sum;
+        near.forEach(i, [&](int j)
+        {
+            const Vec3 r = xi - x[j];
+            const float distance = norm(r);
+            liquid += W.W(distance);
+            const Vec3 gradient = volume * W.g(distance) * r;
+            squares += squared(gradient);
+            sum += gradient;
+        });
+        const auto wall = walls(i, xi, surface.contact[i]);
+        sum += wall.gradient;
+        density[i] = (densityVolume * liquid + wall.value) / (1 - plane(surface.depth[i]).density);
+
+        const float before = pressure[i];
+        const float step = relaxation * (density[i] - 1) / (squares + squared(sum) + epsilon);
+        pressure[i] = fmaxf(before + step / perPressure, lowest);
+        increase[i] = (pressure[i] - before) * perPressure;
+    }
+};
+
+template<class Kernel>
+struct Displace
+{
+    Kernel W;
+    float volume;
+    Span<const Vec3> x;
+    NeighbourView near;
+    WallCompletion walls;
+    FreeSurfaceView surface;
+    Span<const float> increase;
+    Span<Vec3> corrected;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 xi = x[i];
+        const float si = increase[i];
+        Vec3 step = 2 * si * walls(i, xi, surface.contact[i]).gradient;
+        near.forEach(i, [&](int j)
+        {
+            const Vec3 r = xi - x[j];
+            step += volume * (si + increase[j]) * W.g(norm(r)) * r;
+        });
+        corrected[i] = xi - step;
+    }
+};
+
+class CompletedPbf : public Pressure
+{
+public:
+    CompletedPbf(const Dictionary& controls, Liquid& liquid, Walls& walls, FreeSurface& surface)
+    :
+        controls_(PressureControls::read(controls, liquid)),
+        surface_(surface),
+        plane_(tabulateHalfSpace(liquid.kernel())),
+        pressure_(liquid.fields().require<float>
+        ({
+            .name = "p", .dimensions = dimensions::pressure, .sorted = false, .written = true, .exchanged = true
+        }))
+    {
+        if (!surface.active()) surface.require(liquid, walls, FreeSurface::usualSupport, 0);
+    }
+
+    void begin(float dt) override
+    {
+        iterations_ = 0;
+        dt_ = dt;
+        pressure_.setZero();
+    }
+
+    bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    {
+        if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
+        if (!extended_)
+        {
+            const auto [smallest, largest] = walls.contactAngles();
+            extended_.emplace(liquid.kernel(), smallest, largest, ExtendedLiquid::Value::kernel);
+        }
+        increase_.resizeDiscarding(liquid.all());
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                const float V = liquid.particleVolume();
+                forEach(liquid.owned(), RaisePressure<Kernel>
+                {
+                    W, V, V / liquid.latticeSum(), controls_.relaxation, controls_.epsilon,
+                    dt_ * dt_ / liquid.restDensity(), -surface_.suction(), liquid.predicted.span(), near.view(),
+                    {extended_->view(), W.h, walls.view()}, surface_.view(), {plane_.span(), W.h},
+                    liquid.density.span(), pressure_.span(), increase_.span()
+                });
+            },
+            liquid.kernel()
+        );
+        if (iterations_ < controls_.minIterations || controls_.tolerance == 0) return true;
+        return compression_(liquid) > controls_.tolerance;
+    }
+
+    void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    {
+        ++iterations_;
+        corrected_.resizeDiscarding(liquid.all());
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                forEach(liquid.owned(), Displace<Kernel>
+                {
+                    W, liquid.particleVolume(), liquid.predicted.span(), near.view(),
+                    {extended_->view(), W.h, walls.view()}, surface_.view(), increase_.span(), corrected_.span()
+                });
+            },
+            liquid.kernel()
+        );
+        liquid.predicted.swap(corrected_);
+    }
+
+    int iterations() const override { return iterations_; }
+    const Buffer<float>* keepPressure() override { return &pressure_; }
+
+private:
+    PressureControls controls_;
+    FreeSurface& surface_;
+    Buffer<HalfSpaceValues> plane_;
+    Buffer<float>& pressure_;
+    float dt_ = 0;
+    int iterations_ = 0;
+    std::optional<ExtendedLiquid> extended_;
+    Buffer<float> increase_;
+    Buffer<Vec3> corrected_;
+    AverageCompression compression_;
+};
+
+const PressureTable::Add<CompletedPbf> registered{"completedPbf"};
+
+}
+
+}

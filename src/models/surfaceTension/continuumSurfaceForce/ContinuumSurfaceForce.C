@@ -1,0 +1,191 @@
+// Continuum surface force (Brackbill, Kothe and Zemach 1992) on the free surface of FreeSurface.H, with walls as the liquid's
+// extension at the contact angle.
+//
+//     m_i     = -G_i/|G_i|                                        the outward normal
+//     kappa_i = 2 sum_j w_ij (x_j - x_i).(m_j - m_i) / sum_j w_ij t_ij^2,    w_ij = V |W'_ij|/r_ij,    j near the surface
+//     t_ij^2  = r_ij^2 - (x_ij . m_ij)^2                          m_ij: unit vector along m_i + m_j
+//     kappa   : brought up to the surface, kappa_i/(1 + kappa_i D_i/2), D_i the mean depth of the pairs; then the mean
+//               over the neighbours, weighted by W |G|
+//     a_i     = 2 sigma kappa G_i / rho0
+//
+// On a sphere each pair gives exactly 2/r at the pair's mean radius. The 2 of a_i: |G| integrates to one across the
+// surface, and only its inner half carries particles. Near the surface means |G| above 0.3 of a planar surface's;
+// particles with normals apart by more than a right angle lie on different surfaces. Of the wall's wedge every point has
+// the normal sin(theta) t + cos(theta) n. No cohesion enters, so no internal pressure locks the particles; sigma and theta
+// are the user's, and nothing is fitted. Where the surface is hollow it pulls: the pressure may go down to -sigma/d.
+// What was tried, and what each choice gave, stands in doc/theory/continuumSurfaceForce.md.
+//
+//     surfaceTension  continuumSurfaceForce;
+//     continuumSurfaceForceCoeffs { support 4; }      // of the normals and the curvature, in spacings
+
+#include "freeSurface/FreeSurface.H"
+#include "models/surfaceTension/SurfaceTension.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr float nearSurface = 0.3f;         // of the planar |G|
+constexpr float sharpest = 0.7f;            // largest |kappa|, times the spacing
+
+struct Normal
+{
+    FreeSurfaceView surface;
+    float least;
+    Span<Vec3> normal;                      // zero away from the surface
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 G = surface.gradient[i];
+        const float length = norm(G);
+        normal[i] = length > least ? -1 / length * G : Vec3{};
+    }
+};
+
+HOST_DEVICE inline bool isNearSurface(Vec3 normal) { return squared(normal) > 0.25f; }
+
+struct Curvature
+{
+    WendlandC2 W;
+    float volume, largest;
+    Span<const Vec3> x, normal;
+    NeighbourView near;
+    FreeSurfaceView surface;
+    ExtendedLiquidView extended;
+    WallView walls;
+    Span<float> curvature;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 xi = x[i], mi = normal[i];
+        curvature[i] = 0;
+        if (!isNearSurface(mi)) return;
+        float spread = 0, weight = 0, depth = 0;
+        near.forEach(i, [&](int j)
+        {
+            const Vec3 mj = normal[j];
+            if (!isNearSurface(mj) || dot(mi, mj) < 0) return;
+            const Vec3 r = xi - x[j], mean = mi + mj;
+            const float slope = -volume * W.g(norm(r)), up = dot(r, mean);
+            const float along = slope * (squared(r) - up * up / squared(mean));
+            spread -= slope * dot(r, mj - mi);
+            weight += along;
+            depth += along * 0.5f * (surface.depth[i] + surface.depth[j]);
+        });
+        const ContactLine line = surface.contact[i];
+        walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
+        {
+            if (a != line.wall) return;
+            const WedgeIntegrals wedge = extended(line.theta, wall.distance / W.h, line.depth / W.h);
+            const Vec3 bend = sinf(line.theta) * line.tangent + cosf(line.theta) * wall.normal - mi;
+            spread += dot(wedge.tangential / W.h * line.tangent + wedge.normal / W.h * wall.normal, bend);
+            weight += wedge.value;
+            depth += wedge.value * surface.depth[i];
+        });
+        if (weight <= 0) return;
+        const float kappa = fminf(fmaxf(2 * spread / weight, -largest), largest);
+        curvature[i] = kappa / fmaxf(0.3f, 1 + 0.5f * kappa * depth / weight);
+    }
+};
+
+struct Smooth
+{
+    WendlandC2 W;
+    Span<const Vec3> x, normal;
+    Span<const float> curvature;
+    NeighbourView near;
+    FreeSurfaceView surface;
+    float strength;                         // 2 sigma/rho0
+    Span<Vec3> acceleration;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        if (!isNearSurface(normal[i])) return;
+        const Vec3 xi = x[i], G = surface.gradient[i];
+        float weight = W.W(0) * norm(G), sum = weight * curvature[i];
+        near.forEach(i, [&](int j)
+        {
+            if (!isNearSurface(normal[j])) return;
+            const float w = W.W(norm(xi - x[j])) * norm(surface.gradient[j]);
+            weight += w;
+            sum += w * curvature[j];
+        });
+        acceleration[i] += strength * sum / weight * G;
+    }
+};
+
+class ContinuumSurfaceForce : public SurfaceTension
+{
+public:
+    ContinuumSurfaceForce(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface)
+    :
+        surface_(surface),
+        sigma_(liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension))
+    {
+        const float support = coeffs.lookupOr("support", FreeSurface::usualSupport);
+        const float least = 1.5f * liquid.support() / liquid.spacing();
+        if (!(support >= least && support <= 8))
+        {
+            throw FatalInputError
+            (
+                coeffs.where("support"), "The support of the surface is out of range",
+                "1.5 times the kernel's to 8 spacings"
+            );
+        }
+        surface.require(liquid, walls, support, sigma_ / liquid.spacing());
+    }
+
+    const FreeSurface* freeSurface() const override { return &surface_; }
+
+    void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
+    {
+        const WendlandC2 W = surface_.kernel();
+        if (!extended_) tabulate(walls);
+        normal_.resizeDiscarding(liquid.all());
+        curvature_.resizeDiscarding(liquid.all());
+        const FreeSurfaceView view = surface_.view();
+        const Span<const Vec3> x = liquid.predicted.span();
+        forEach(liquid.owned(), Normal{view, nearSurface * surface_.steepest(), normal_.span()});
+        forEach(liquid.owned(), Curvature
+        {
+            W, liquid.particleVolume(), sharpest / liquid.spacing(), x, normal_.span(), near.wide(), view,
+            extended_->view(), walls.view(), curvature_.span()
+        });
+        forEach(liquid.owned(), Smooth
+        {
+            W, x, normal_.span(), curvature_.span(), near.wide(), view, 2 * sigma_ / liquid.restDensity(),
+            acceleration.span()
+        });
+    }
+
+private:
+    // The wedge's part in the curvature: of what lies near the surface.
+    void tabulate(const Walls& walls)
+    {
+        const WendlandC2 W = surface_.kernel();
+        const auto plane = tabulateHalfSpace(W);
+        const HalfSpaceView view{{plane.data(), int(plane.size())}, W.h};
+        float low = 0, high = W.h;
+        for (int k = 0; k < 40; ++k)
+        {
+            const float s = 0.5f * (low + high);
+            (view(s).gradient > nearSurface * surface_.steepest() ? low : high) = s;
+        }
+        const auto [smallest, largest] = walls.contactAngles();
+        extended_.emplace(W, smallest, largest, ExtendedLiquid::Value::alongInterface, low / W.h);
+    }
+
+    FreeSurface& surface_;
+    float sigma_;
+    std::optional<ExtendedLiquid> extended_;
+    Buffer<Vec3> normal_;
+    Buffer<float> curvature_;
+};
+
+const SurfaceTensionTable::Add<ContinuumSurfaceForce> registered{"continuumSurfaceForce"};
+
+}
+
+}

@@ -1,0 +1,39 @@
+// The liquid's surface goes on into the walls at the contact angle: what continuumSurfaceForce and completedPbf sum over
+// the walls follows from theta (freeSurface/ExtendedLiquid.H). Without it (wetting none) it meets them at 90 degrees.
+//
+//     wetting     extendedSurface;
+
+#include "freeSurface/FreeSurface.H"
+#include "models/wetting/Wetting.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+class ExtendedSurface : public Wetting
+{
+public:
+    ExtendedSurface(const Dictionary& coeffs, Liquid&, Walls& walls, const SurfaceTension& tension)
+    {
+        if (!tension.freeSurface())
+        {
+            throw FatalInputError
+            (
+                coeffs.where(), "The wetting model extends the free surface into the walls, and the surface tension has none",
+                "surfaceTension continuumSurfaceForce, or another wetting model"
+            );
+        }
+        walls.requireContactAngles();
+    }
+
+    // It acts through the surface's reconstruction.
+    void apply(Liquid&, const Neighbourhood&, const Walls&, Buffer<Vec3>&) override {}
+};
+
+const WettingTable::Add<ExtendedSurface> registered{"extendedSurface"};
+
+}
+
+}
