@@ -40,12 +40,12 @@ struct Separate
 class @class@ : public Pressure
 {
 public:
-    @class@(const Dictionary& dict, Liquid&) : iterations_(dict.lookupOr("iterations", 4))
+    @class@(const Dictionary& dict, Liquid&, Walls&, FreeSurface&) : iterations_(dict.lookupOr("iterations", 4))
     {
         if (iterations_ < 1) throw FatalInputError(dict.where("iterations"), "iterations is not positive", "1 or more");
     }
 
-    void begin() override { made_ = 0; }
+    void begin(float) override { made_ = 0; }
     bool violated(Liquid&, const Neighbourhood&, const Walls&) override { return made_ < iterations_; }
 
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls&) override

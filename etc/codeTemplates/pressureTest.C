@@ -11,7 +11,7 @@ namespace
 std::unique_ptr<Pressure> makeModel(LiquidCase& drop, const std::string& iterations)
 {
     const Dictionary solution = Dictionary::parse("pressure { iterations " + iterations + "; }", "system/solution");
-    return Pressure::New(Dictionary::parse("pressure @word@;"), solution, drop.liquid);
+    return Pressure::New(Dictionary::parse("pressure @word@;"), solution, drop.liquid, drop.walls, drop.surface);
 }
 
 }
@@ -21,7 +21,7 @@ TEST(@class@, SeparatesAPairByASpacing)
     LiquidCase drop;
     drop.place({{0, 0, 0}, {0.6f, 0, 0}, {5, 0, 0}});
     const auto model = makeModel(drop, "2");
-    model->begin();
+    model->begin(1);
     while (model->violated(drop.liquid, drop.near, drop.walls)) model->correct(drop.liquid, drop.near, drop.walls);
     EXPECT_EQ(model->iterations(), 2);
 

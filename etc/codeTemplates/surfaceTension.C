@@ -36,7 +36,7 @@ struct Attract
 class @class@ : public SurfaceTension
 {
 public:
-    @class@(const Dictionary& coeffs, Liquid& liquid, Walls&)
+    @class@(const Dictionary& coeffs, Liquid& liquid, Walls&, FreeSurface&)
     {
         const double strength = coeffs.lookupOr("strength", 1.0);
         if (!(strength >= 0)) throw FatalInputError(coeffs.where("strength"), "The strength is negative", "0 or more");

@@ -11,7 +11,7 @@ TEST(@class@, PullsAPairTogetherByItsFormula)
     LiquidCase drop;
     drop.place({{0, 0, 0}, {1.2f, 0, 0}, {9, 0, 0}});
     const Dictionary models = Dictionary::parse("surfaceTension @word@; @word@Coeffs { strength 2; }");
-    const auto model = SurfaceTension::New(models, drop.liquid, drop.walls);
+    const auto model = SurfaceTension::New(models, drop.liquid, drop.walls, drop.surface);
     Buffer<Vec3> field(drop.liquid.all());
     field.setZero();
     model->apply(drop.liquid, drop.near, drop.walls, field);
@@ -32,6 +32,6 @@ TEST(@class@, RefusesANegativeStrength)
     (
         "surfaceTension @word@; @word@Coeffs { strength -1; }", "constant/models"
     );
-    const auto make = [&] { SurfaceTension::New(models, drop.liquid, drop.walls); };
+    const auto make = [&] { SurfaceTension::New(models, drop.liquid, drop.walls, drop.surface); };
     EXPECT_TRUE(holds(messageOf(make), {"constant/models", "0 or more"}));
 }

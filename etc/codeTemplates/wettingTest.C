@@ -27,7 +27,7 @@ TEST(@class@, PullsWhatIsNearAWall)
         (
             "surfaceTension none; wetting @word@; @word@Coeffs { strength 3; }"
         );
-        const auto tension = SurfaceTension::New(models, drop.liquid, drop.walls);
+        const auto tension = SurfaceTension::New(models, drop.liquid, drop.walls, drop.surface);
         const auto model = Wetting::New(models, drop.liquid, drop.walls, *tension);
         Buffer<Vec3> field(drop.liquid.all());
         field.setZero();
@@ -47,7 +47,7 @@ TEST(@class@, RefusesANegativePull)
     (
         "surfaceTension none; wetting @word@; @word@Coeffs { strength -1; }", "constant/models"
     );
-    const auto tension = SurfaceTension::New(models, drop.liquid, drop.walls);
+    const auto tension = SurfaceTension::New(models, drop.liquid, drop.walls, drop.surface);
     const auto make = [&] { Wetting::New(models, drop.liquid, drop.walls, *tension); };
     EXPECT_TRUE(holds(messageOf(make), {"constant/models", "0 or more"}));
 }

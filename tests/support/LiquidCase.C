@@ -53,8 +53,9 @@ void LiquidCase::place(const std::vector<Vec3>& positions, const std::vector<Vec
     liquid.predicted.upload(scaled);
     liquid.velocity.upload(velocities.empty() ? std::vector<Vec3>(n) : velocities);
     liquid.id.upload(id);
-    near.update(liquid);
+    near.update(liquid, surface.support());
     walls.update(liquid);
+    surface.update(liquid, near, walls);
 }
 
 }

@@ -20,7 +20,8 @@ const Dictionary none = Dictionary::parse
 
 std::unique_ptr<SurfaceTension> makeTension(LiquidCase& drop, const std::string& word)
 {
-    return SurfaceTension::New(Dictionary::parse("surfaceTension " + word + ";"), drop.liquid, drop.walls);
+    const Dictionary models = Dictionary::parse("surfaceTension " + word + ";");
+    return SurfaceTension::New(models, drop.liquid, drop.walls, drop.surface);
 }
 
 // A choice of its own for one keyword, and a pair force for the wetting models to continue.
@@ -33,9 +34,9 @@ Dictionary choosing(const std::string& keyword, const std::string& word)
 
 TEST(Models, HaveTheirWords)
 {
-    EXPECT_EQ(PressureTable::words(), (Words{"none", "pbf"}));
-    EXPECT_EQ(SurfaceTensionTable::words(), (Words{"Akinci2013", "Fujisawa2014", "none"}));
-    EXPECT_EQ(WettingTable::words(), (Words{"Akinci2013", "contactAngle", "none"}));
+    EXPECT_EQ(PressureTable::words(), (Words{"completedPbf", "none", "pbf"}));
+    EXPECT_EQ(SurfaceTensionTable::words(), (Words{"Akinci2013", "Fujisawa2014", "continuumSurfaceForce", "none"}));
+    EXPECT_EQ(WettingTable::words(), (Words{"Akinci2013", "contactAngle", "extendedSurface", "none"}));
     EXPECT_EQ(ViscosityTable::words(), (Words{"XSPH", "laminar", "none"}));
     EXPECT_EQ(BodyForceTable::words(), (Words{"gravity", "none"}));
 }
@@ -46,7 +47,8 @@ TEST(Models, AreMadeByEveryWord)
     const auto constant = drop.folder.path() / "constant";
     for (const auto& word : PressureTable::words())
     {
-        EXPECT_NE(Pressure::New(choosing("pressure", word), Dictionary(), drop.liquid), nullptr) << word;
+        const Dictionary models = choosing("pressure", word);
+        EXPECT_NE(Pressure::New(models, Dictionary(), drop.liquid, drop.walls, drop.surface), nullptr) << word;
     }
     for (const auto& word : SurfaceTensionTable::words())
     {
@@ -55,9 +57,9 @@ TEST(Models, AreMadeByEveryWord)
         const bool pairForce = word == "Akinci2013" || word == "Fujisawa2014";
         EXPECT_EQ(tension->pairCoefficients().has_value(), pairForce) << word;
     }
-    const auto tension = makeTension(drop, "Akinci2013");
     for (const auto& word : WettingTable::words())
     {
+        const auto tension = makeTension(drop, word == "extendedSurface" ? "continuumSurfaceForce" : "Akinci2013");
         const auto wetting = Wetting::New(choosing("wetting", word), drop.liquid, drop.walls, *tension);
         EXPECT_EQ(wetting->active(), word != "none") << word;
     }
@@ -76,7 +78,11 @@ TEST(Models, OfAnUnknownWordListTheChoices)
     LiquidCase drop;
     const auto constant = drop.folder.path() / "constant";
     const auto tension = makeTension(drop, "none");
-    EXPECT_TRUE(holds(messageOf([&] { Pressure::New(choosing("pressure", "pbd"), Dictionary(), drop.liquid); }),
+    const auto makePressure = [&](const std::string& word)
+    {
+        return Pressure::New(choosing("pressure", word), Dictionary(), drop.liquid, drop.walls, drop.surface);
+    };
+    EXPECT_TRUE(holds(messageOf([&] { makePressure("pbd"); }),
                       {"Unknown pressure model 'pbd'", "constant/models", "line 2", "Did you mean 'pbf'?", "none"}));
     EXPECT_TRUE(holds(messageOf([&] { makeTension(drop, "akinci"); }),
                       {"Unknown surfaceTension model 'akinci'", "Akinci2013", "Fujisawa2014", "none"}));
@@ -96,13 +102,13 @@ TEST(Models, ThatAreOffLaunchAndAllocateNothing)
     const std::size_t fields = drop.liquid.fields().entries().size();
 
     const auto bodyForce = BodyForce::New(none, drop.folder.path() / "constant", drop.liquid);
-    InterParticleForces forces(none, drop.liquid, drop.walls);
-    const auto pressure = Pressure::New(none, Dictionary(), drop.liquid);
+    InterParticleForces forces(none, drop.liquid, drop.walls, drop.surface);
+    const auto pressure = Pressure::New(none, Dictionary(), drop.liquid, drop.walls, drop.surface);
     const auto viscosity = Viscosity::New(none, drop.liquid);
     bodyForce->apply(drop.liquid, 0.01f);
     forces.applyBeforeIterations(drop.liquid, drop.near, drop.walls, 0.01f);
     forces.applyInIteration(drop.liquid, drop.near, drop.walls, 0.01f);
-    pressure->begin();
+    pressure->begin(1);
     EXPECT_FALSE(pressure->violated(drop.liquid, drop.near, drop.walls));
     pressure->correct(drop.liquid, drop.near, drop.walls);
     EXPECT_EQ(pressure->iterations(), 0);

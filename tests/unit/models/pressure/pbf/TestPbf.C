@@ -13,9 +13,10 @@ namespace
 
 const Dictionary pbf = Dictionary::parse("pressure pbf;");
 
-std::unique_ptr<Pressure> makePbf(Liquid& liquid, const std::string& controls)
+std::unique_ptr<Pressure> makePbf(LiquidCase& drop, const std::string& controls)
 {
-    return Pressure::New(pbf, Dictionary::parse("pressure { " + controls + " }", "system/solution"), liquid);
+    const Dictionary solution = Dictionary::parse("pressure { " + controls + " }", "system/solution");
+    return Pressure::New(pbf, solution, drop.liquid, drop.walls, drop.surface);
 }
 
 // Average of max(rho/rho0 - 1, 0) at the predicted positions.
@@ -36,12 +37,12 @@ TEST(Pbf, LowersTheDensityErrorInEveryIteration)
     for (const char* kernel : {"type cubicSpline; support 2;", "type poly6Spiky; support 2.5;"})
     {
         LiquidCase drop({.kernel = kernel});
-        const auto model = makePbf(drop.liquid, "maxIterations 15; tolerance 0; relaxation 0.4;");
+        const auto model = makePbf(drop, "maxIterations 15; tolerance 0; relaxation 0.4;");
         drop.place(latticeBlock(8, 8, 8, 0.94f));
         double error = errorOf(drop);
         const double first = error;
         EXPECT_GT(first, 0.02);
-        model->begin();
+        model->begin(1);
         while (model->violated(drop.liquid, drop.near, drop.walls))
         {
             model->correct(drop.liquid, drop.near, drop.walls);
@@ -58,13 +59,13 @@ TEST(Pbf, LowersTheDensityErrorInEveryIteration)
 TEST(Pbf, ConservesMomentumWithoutWalls)
 {
     LiquidCase drop;
-    const auto model = makePbf(drop.liquid, "maxIterations 3; tolerance 0; relaxation 1;");
+    const auto model = makePbf(drop, "maxIterations 3; tolerance 0; relaxation 1;");
     RandomNumbers random(4);
     auto points = latticeBlock(8, 8, 8, 0.92f);
     for (Vec3& p : points) p += random({-0.1f, -0.1f, -0.1f}, {0.1f, 0.1f, 0.1f});
     drop.place(points);
     const auto before = drop.liquid.predicted.download();
-    model->begin();
+    model->begin(1);
     while (model->violated(drop.liquid, drop.near, drop.walls)) model->correct(drop.liquid, drop.near, drop.walls);
     const auto after = drop.liquid.predicted.download();
     double sum[3] = {0, 0, 0}, moved = 0;
@@ -91,7 +92,7 @@ TEST(Pbf, PushesLiquidOffWallsAlongTheirNormals)
             text.solidPositions = latticeBlock(11, 11, 1, 1, {-5, -5, -0.5f});
         }
         LiquidCase drop(text);
-        const auto model = makePbf(drop.liquid, "maxIterations 1; minIterations 1; tolerance 0; relaxation 1;");
+        const auto model = makePbf(drop, "maxIterations 1; minIterations 1; tolerance 0; relaxation 1;");
         drop.place({{0, 0, particles ? -0.3f : -0.9f}});        // in the solid, where it alone is denser than liquid
         const Vec3 before = drop.liquid.predicted.download()[0];
         EXPECT_TRUE(model->violated(drop.liquid, drop.near, drop.walls));
@@ -107,10 +108,10 @@ TEST(Pbf, PushesLiquidOffWallsAlongTheirNormals)
 TEST(Pbf, StopsAtTheToleranceButNotBeforeTheLeastIterations)
 {
     LiquidCase drop;
-    const auto model = makePbf(drop.liquid, "minIterations 2; maxIterations 50; tolerance 1e-4; relaxation 1;");
+    const auto model = makePbf(drop, "minIterations 2; maxIterations 50; tolerance 1e-4; relaxation 1;");
     const auto iterate = [&]
     {
-        model->begin();
+        model->begin(1);
         while (model->violated(drop.liquid, drop.near, drop.walls)) model->correct(drop.liquid, drop.near, drop.walls);
         return model->iterations();
     };
@@ -132,7 +133,7 @@ TEST(Pbf, PullsOnlyWhereItMay)
     {
         LiquidCase drop;
         const std::string choice = unilateral ? "yes" : "no";
-        const auto model = makePbf(drop.liquid, "relaxation 1; unilateral " + choice + ";");
+        const auto model = makePbf(drop, "relaxation 1; unilateral " + choice + ";");
         drop.place({{0, 0, 0}, {1.2f, 0, 0}});
         const float before = 1.2f * drop.liquid.spacing();
         ASSERT_TRUE(model->violated(drop.liquid, drop.near, drop.walls));
@@ -159,7 +160,7 @@ TEST(Pbf, RefusesControlsOutOfRange)
     };
     for (const auto& entry : wrong)
     {
-        const auto make = [&] { makePbf(drop.liquid, entry.first + " " + entry.second + ";"); };
+        const auto make = [&] { makePbf(drop, entry.first + " " + entry.second + ";"); };
         EXPECT_TRUE(holds(messageOf(make), {"system/solution", "'" + entry.first + "'"}));
     }
 }

@@ -15,7 +15,8 @@ std::unique_ptr<SurfaceTension> makeTension(LiquidCase& drop, const std::string&
 {
     return SurfaceTension::New
     (
-        Dictionary::parse("surfaceTension " + word + "; " + word + "Coeffs { gamma 1.5; }"), drop.liquid, drop.walls
+        Dictionary::parse("surfaceTension " + word + "; " + word + "Coeffs { gamma 1.5; }"), drop.liquid, drop.walls,
+        drop.surface
     );
 }
 
@@ -116,7 +117,8 @@ TEST(PairTension, AttractsAPairFromAfarAndRepelsItInContact)
     LiquidCase drop;
     const auto tension = SurfaceTension::New
     (
-        Dictionary::parse("surfaceTension Akinci2013; Akinci2013Coeffs { areaWeight 0; }"), drop.liquid, drop.walls
+        Dictionary::parse("surfaceTension Akinci2013; Akinci2013Coeffs { areaWeight 0; }"), drop.liquid, drop.walls,
+        drop.surface
     );
     for (const auto& [distance, attracts] : {std::pair{0.5f, false}, {0.6f, true}, {1.9f, true}})
     {
@@ -139,7 +141,7 @@ TEST(PairTension, TakesItsCoefficientFromSigmaUnlessGiven)
         const auto tension = SurfaceTension::New
         (
             Dictionary::parse("surfaceTension Fujisawa2014; Fujisawa2014Coeffs { " + coeffs + " }"),
-            drop.liquid, drop.walls
+            drop.liquid, drop.walls, drop.surface
         );
         return *tension->pairCoefficients();
     };

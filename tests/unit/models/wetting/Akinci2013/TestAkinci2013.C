@@ -14,7 +14,7 @@ const std::string sampledFloor = "floor { type particles; surface \"floor.stl\";
 std::vector<Vec3> adhesionOf(LiquidCase& drop, const std::string& models)
 {
     const Dictionary dict = Dictionary::parse(models);
-    const auto tension = SurfaceTension::New(dict, drop.liquid, drop.walls);
+    const auto tension = SurfaceTension::New(dict, drop.liquid, drop.walls, drop.surface);
     const auto wetting = Wetting::New(dict, drop.liquid, drop.walls, *tension);
     Buffer<Vec3> acceleration(drop.liquid.all());
     acceleration.setZero();

@@ -16,7 +16,7 @@ std::vector<Vec3> wettingOf(LiquidCase& drop, const std::vector<Vec3>& points, c
         "surfaceTension Fujisawa2014; Fujisawa2014Coeffs { gamma 1.5; }"
         "wetting contactAngle; contactAngleCoeffs { solidNormal " + solidNormal + "; }"
     );
-    const auto tension = SurfaceTension::New(models, drop.liquid, drop.walls);
+    const auto tension = SurfaceTension::New(models, drop.liquid, drop.walls, drop.surface);
     const auto wetting = Wetting::New(models, drop.liquid, drop.walls, *tension);
     drop.place(points);
     Buffer<Vec3> acceleration(drop.liquid.all());
@@ -83,7 +83,8 @@ TEST(ContactAngleWetting, PullsNothingAt180Degrees)
 TEST(ContactAngleWetting, NeedsAPairForce)
 {
     LiquidCase drop;
-    const auto none = SurfaceTension::New(Dictionary::parse("surfaceTension none;"), drop.liquid, drop.walls);
+    const Dictionary off = Dictionary::parse("surfaceTension none;");
+    const auto none = SurfaceTension::New(off, drop.liquid, drop.walls, drop.surface);
     const Dictionary models = Dictionary::parse("wetting contactAngle;");
     EXPECT_TRUE(holds(messageOf([&] { Wetting::New(models, drop.liquid, drop.walls, *none); }),
                       {"surfaceTension Akinci2013 or Fujisawa2014"}));
