@@ -124,7 +124,7 @@ public:
         surface_(surface),
         sigma_(liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension))
     {
-        const float support = coeffs.lookupOr("support", FreeSurface::usualSupport);
+        const float support = float(coeffs.lookupOr("support", double(FreeSurface::usualSupport)));
         const float least = 1.5f * liquid.support() / liquid.spacing();
         if (!(support >= least && support <= 8))
         {
