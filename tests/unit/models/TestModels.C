@@ -163,7 +163,7 @@ TEST(InterParticleForces, ActInThePlaceThatForceCouplingChooses)
             "surfaceTension Akinci2013; wetting none; forceCoupling "
           + std::string(everyIteration ? "everyIteration;" : "predictor;")
         );
-        InterParticleForces forces(models, drop.liquid, drop.walls);
+        InterParticleForces forces(models, drop.liquid, drop.walls, drop.surface);
         drop.place({{0, 0, 0}, {1.2f, 0, 0}});
         const auto moved = [&] { return drop.inOrder(drop.liquid.predicted)[1].x != 1.2f * drop.liquid.spacing(); };
         forces.applyBeforeIterations(drop.liquid, drop.near, drop.walls, 0.5f);
@@ -173,6 +173,6 @@ TEST(InterParticleForces, ActInThePlaceThatForceCouplingChooses)
     }
     LiquidCase drop;
     const Dictionary wrong = Dictionary::parse("surfaceTension none; wetting none; forceCoupling once;");
-    const auto make = [&] { InterParticleForces(wrong, drop.liquid, drop.walls); };
+    const auto make = [&] { InterParticleForces(wrong, drop.liquid, drop.walls, drop.surface); };
     EXPECT_TRUE(holds(messageOf(make), {"once", "predictor", "everyIteration"}));
 }
