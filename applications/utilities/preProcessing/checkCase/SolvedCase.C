@@ -64,12 +64,10 @@ void SolvedCase::readModelsApart(Liquid& standIn, Walls* walls, Findings& findin
     std::optional<Dictionary> models;
     if (!findings.attempt([&] { models = Dictionary::read(path / "constant/models"); })) return;
     findings.attempt([&] { BodyForce::New(*models, path / "constant", standIn); });
-    if (walls)
-    {
-        FreeSurface surface;
-        findings.attempt([&] { InterParticleForces(*models, standIn, *walls, surface); });
-        if (solution_) findings.attempt([&] { Pressure::New(*models, *solution_, standIn, *walls, surface); });
-    }
+    Walls noWalls;
+    FreeSurface surface;
+    if (walls) findings.attempt([&] { InterParticleForces(*models, standIn, *walls, surface); });
+    if (solution_) findings.attempt([&] { Pressure::New(*models, *solution_, standIn, walls ? *walls : noWalls, surface); });
     findings.attempt([&] { Viscosity::New(*models, standIn); });
 }
 
