@@ -81,8 +81,9 @@ struct VirtualVolume
 };
 
 // The tangent plane of the layer near a liquid particle: the mean over the solid particles that are hardly farther than
-// the nearest one, weighted by (1 - (r^2 - r_min^2)/(2d)^2)^2. The layer lies half a spacing inside the solid.
-// Beside the border of a layer there is no wall.
+// the nearest one, weighted by (1 - (r^2 - r_min^2)/(2d)^2)^2. With n the direction of their mean normal the height above
+// the layer is H = <(n_k + n).r_k>/<1 + n_k.n>, exact before planes and spheres: there r_k = (R + H) e - R n_k. The layer lies
+// half a spacing inside the solid. Beside the border of a layer there is no wall.
 struct FitPlane
 {
     float spacing;
@@ -96,16 +97,18 @@ struct FitPlane
         const Vec3 xi = x[i];
         float nearest = 1e30f;
         solid.near.forEach(i, [&](int k) { nearest = fminf(nearest, squared(xi - solid.position[k])); });
-        Vec3 direction;
-        float level = 0, cosine = 0, total = 0;
+        Vec3 direction, from;
+        float along = 0, cosine = 0, total = 0;
         solid.near.forEach(i, [&](int k)
         {
-            const float w = 1 - (squared(xi - solid.position[k]) - nearest) / (4 * spacing * spacing);
+            const Vec3 r = xi - solid.position[k];
+            const float w = 1 - (squared(r) - nearest) / (4 * spacing * spacing);
             if (w <= 0) return;
             const float weight = w * w;
             total += weight;
             direction += weight * solid.normal[k];
-            level += weight * dot(solid.normal[k], solid.position[k]);
+            from += weight * r;
+            along += weight * dot(solid.normal[k], r);
             cosine += weight * (solid.cosTheta.size > 0 ? solid.cosTheta[k] : 0);
         });
         const float length = norm(direction);
@@ -115,11 +118,10 @@ struct FitPlane
         if (total == 0 || length < 1e-6f * total) return;
 
         const Vec3 n = (1 / length) * direction;
-        const float plane = level / total + 0.5f * spacing, height = dot(n, xi) - plane;
-        const float aside = nearest - (height + 0.5f * spacing) * (height + 0.5f * spacing);
-        if (aside > 2.25f * spacing * spacing) return;
+        const float height = (along + dot(n, from)) / (total + length);
+        if (nearest - height * height > 2.25f * spacing * spacing) return;
         normal[i] = n;
-        offset[i] = plane;
+        offset[i] = dot(n, xi) - (height - 0.5f * spacing);
         cosTheta[i] = cosine / total;
     }
 };

@@ -23,6 +23,10 @@ Liquid LiquidCase::makeLiquid(const CaseText& text) const
         SolidParticles solid;
         for (const Vec3& p : text.solidPositions) solid.positions.push_back(text.spacing * Vector3(p.x, p.y, p.z));
         solid.normals.assign(solid.positions.size(), {text.solidNormal.x, text.solidNormal.y, text.solidNormal.z});
+        for (std::size_t k = 0; k < text.solidNormals.size(); ++k)
+        {
+            solid.normals[k] = {text.solidNormals[k].x, text.solidNormals[k].y, text.solidNormals[k].z};
+        }
         solid.patch.assign(solid.positions.size(), 0);
         solid.patches = {"floor"};
         writeSolidParticles(folder.path(), solid, {.binary = true});

@@ -65,6 +65,166 @@ TEST(Walls, ReorderContactAnglesWithTheirParticles)
     }
 }
 
+// Contact angles belong to their particles however often these are sorted: into the cells of a wider search too.
+TEST(Walls, KeepContactAnglesWithTheirParticlesInWiderCells)
+{
+    const auto layer = randomPoints(300, {-8, -8, -0.5f}, {8, 8, -0.4f});
+    std::vector<double> theta;
+    for (const Vec3& p : layer) theta.push_back(90 + 10 * p.x);
+    for (const bool anglesFirst : {true, false})
+    {
+        LiquidCase walls({.walls = sampledFloor, .solidPositions = layer, .solidTheta = theta});
+        if (anglesFirst) walls.walls.requireContactAngles();
+        walls.walls.requireContacts(walls.liquid, 4 * walls.liquid.spacing());
+        walls.walls.requireContactAngles();
+        const auto view = walls.walls.view().particles;
+        const auto position = download(view.position);
+        const auto cosine = download(view.cosTheta);
+        ASSERT_EQ(cosine.size(), layer.size());
+        const auto cosineOf = [](double degrees) { return std::cos(degrees * std::numbers::pi / 180); };
+        for (std::size_t k = 0; k < layer.size(); ++k)
+        {
+            // Single precision of an angle.
+            ASSERT_NEAR(cosine[k], cosineOf(90 + 10 * position[k].x / walls.liquid.spacing()), 1e-6);
+        }
+        // In the order of the file again.
+        const auto cosines = walls.walls.cosines();
+        ASSERT_TRUE(cosines.has_value());
+        for (std::size_t k = 0; k < layer.size(); ++k) ASSERT_NEAR(cosines->particles[k], cosineOf(theta[k]), 1e-6);
+    }
+}
+
+TEST(Walls, TellTheirSmallestAndLargestContactAngle)
+{
+    const std::string plane = "side { type plane; point (-8e-3 0 0); normal (1 0 0); }";
+    const std::string ball = "ball { type sphere; centre (0 0 20e-3); radius 5e-3; liquid outside; }";
+    const std::pair<double, double> right{90, 90};
+    const auto anglesOf = [&](LiquidCase& walls)
+    {
+        EXPECT_EQ(walls.walls.contactAngles(), right);          // nobody asked
+        walls.walls.requireContactAngles();
+        return walls.walls.contactAngles();
+    };
+    // Single precision of a cosine, over the sine of at least 0.5: 1e-5 degrees.
+    LiquidCase analytic({.walls = plane + ball, .wettability = "side { theta 30; } ball { theta 110; }"});
+    const auto ofAnalytic = anglesOf(analytic);
+    EXPECT_NEAR(ofAnalytic.first, 30, 2e-5);
+    EXPECT_NEAR(ofAnalytic.second, 110, 2e-5);
+
+    const std::vector<Vec3> layer{{0, 0, -0.5f}, {1, 0, -0.5f}, {0, 1, -0.5f}};
+    LiquidCase both({.walls = plane + sampledFloor, .wettability = "side { theta 75; }", .solidPositions = layer,
+                     .solidTheta = {90, 150, 40}});
+    const auto ofBoth = anglesOf(both);
+    EXPECT_NEAR(ofBoth.first, 40, 2e-5);
+    EXPECT_NEAR(ofBoth.second, 150, 2e-5);
+
+    LiquidCase none;
+    EXPECT_EQ(anglesOf(none), right);
+}
+
+// The tangent plane of a flat layer is the solid's surface, half a spacing before it, wherever the layer is and however it
+// lies; its contact angle is the mean of the patch. Coordinates of up to ten units: 2e-6. Beside the border there is none.
+TEST(Walls, FitThePlaneOfAFlatLayer)
+{
+    for (const double tilt : {0.0, 17.0, 45.0})
+    {
+        for (const float apart : {1.0f, 0.83f})
+        {
+            const float sine = float(std::sin(tilt * std::numbers::pi / 180)), cosine = std::sqrt(1 - sine * sine);
+            // The layer's coordinates a, b and the height above the surface.
+            const auto place = [&](Vec3 p) { return Vec3{p.x * cosine - p.z * sine, p.y, p.x * sine + p.z * cosine + 2}; };
+            std::vector<Vec3> layer = latticeBlock(15, 15, 1, apart, {-7 * apart, -7 * apart, -0.5f}), points;
+            for (Vec3& p : layer) p = place(p);
+            const Vec3 n = place({0, 0, 1}) - place({});
+            LiquidCase drop({.walls = sampledFloor, .solidPositions = layer, .solidNormal = n,
+                             .solidTheta = std::vector<double>(layer.size(), 60)});
+            drop.walls.requireContactAngles();
+            drop.walls.requireContacts(drop.liquid, 4 * drop.liquid.spacing());
+            const auto local = randomPoints(60, {-4, -4, 0.3f}, {4, 4, 3.9f});
+            for (const Vec3& p : local) points.push_back(place(p));
+            points.push_back(place({7 * apart + 3, 0, 0.5f}));
+            drop.place(points);
+
+            const float d = drop.liquid.spacing();
+            const auto view = drop.walls.view().planes;
+            const auto normal = download(view.normal);
+            const auto offset = download(view.offset), cosTheta = download(view.cosTheta);
+            const auto x = drop.liquid.predicted.download();
+            const auto id = drop.liquid.id.download();
+            ASSERT_EQ(offset.size(), points.size());
+            for (std::size_t i = 0; i < points.size(); ++i)
+            {
+                if (id[i] == 60)
+                {
+                    EXPECT_EQ(offset[i], WallPlanesView::nowhere);
+                    continue;
+                }
+                EXPECT_NEAR(norm(normal[i] - n), 0, 1e-6);
+                EXPECT_NEAR(dot(normal[i], x[i]) - offset[i], local[id[i]].z * d, 4e-6) << tilt << " " << apart;
+                EXPECT_NEAR(cosTheta[i], 0.5f, 1e-6);
+            }
+        }
+    }
+}
+
+// On a sampled sphere, wherever it is: the distance to the tangent plane is that to the sphere. Some twelve particles give
+// the normal to a degree, which takes (R + s)(1 - cos 1 degree), below 0.003 spacings, off the distance.
+TEST(Walls, FitTangentPlanesToASampledSphere)
+{
+    for (const float radius : {6.0f, 12.0f})
+    {
+        for (const Vec3 centre : {Vec3{}, Vec3{60, -40, 25}})
+        {
+            const auto onSphere = [](int n)
+            {
+                std::vector<Vec3> directions;
+                for (int k = 0; k < n; ++k)                 // a Fibonacci lattice
+                {
+                    const double z = 1 - (2 * k + 1.0) / n, r = std::sqrt(1 - z * z);
+                    const double turn = k * std::numbers::pi * (3 - std::sqrt(5));
+                    directions.push_back({float(r * std::cos(turn)), float(r * std::sin(turn)), float(z)});
+                }
+                return directions;
+            };
+            const float layer = radius - 0.5f;
+            const auto normals = onSphere(int(4 * std::numbers::pi * layer * layer));
+            std::vector<Vec3> solid, points;
+            for (const Vec3& n : normals) solid.push_back(centre + layer * n);
+            const auto directions = onSphere(100);
+            RandomNumbers random(5);
+            for (const Vec3& e : directions) points.push_back(centre + (radius + random(0.3f, 3.9f)) * e);
+            LiquidCase drop({.walls = sampledFloor, .solidPositions = solid, .solidNormals = normals});
+            drop.walls.requireContacts(drop.liquid, 4 * drop.liquid.spacing());
+            drop.place(points);
+
+            const float d = drop.liquid.spacing();
+            const auto view = drop.walls.view().planes;
+            const auto normal = download(view.normal);
+            const auto offset = download(view.offset);
+            const auto x = drop.liquid.predicted.download();
+            const auto id = drop.liquid.id.download();
+            for (std::size_t i = 0; i < points.size(); ++i)
+            {
+                const float distance = norm(points[id[i]] - centre) - radius;
+                EXPECT_GT(dot(normal[i], directions[id[i]]), std::cos(std::numbers::pi / 180)) << distance;
+                EXPECT_NEAR((dot(normal[i], x[i]) - offset[i]) / d, distance, 0.003f) << radius << " " << distance;
+            }
+        }
+    }
+}
+
+// With tangent planes, liquid goes back to half a spacing before the sampled surface, as before an analytic one.
+TEST(Walls, PutLiquidBackHalfASpacingBeforeATangentPlane)
+{
+    LiquidCase drop({.walls = sampledFloor, .solidPositions = latticeBlock(15, 15, 1, 1, {-7, -7, -0.5f})});
+    drop.walls.requireContacts(drop.liquid, 4 * drop.liquid.spacing());
+    drop.place({{0.3f, 0.2f, 0.1f}, {-2, 1.5f, 0.7f}});
+    drop.walls.project(drop.liquid);
+    const auto moved = drop.inOrder(drop.liquid.predicted);
+    EXPECT_NEAR(moved[0].z, 0.5f * drop.liquid.spacing(), 1e-6);
+    EXPECT_EQ(moved[1].z, 0.7f * drop.liquid.spacing());
+}
+
 TEST(Walls, PutLiquidBackHalfASpacingOutside)
 {
     LiquidCase drop({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }"
