@@ -4,6 +4,8 @@ set(SHIZUKU_DEVICE_TESTS
     device/TestBuffer.C
     device/TestForEach.C
     device/TestReduce.C
+    freeSurface/TestExtendedLiquid.C
+    freeSurface/TestFreeSurface.C
     functionObjects/TestDropObjects.C
     functionObjects/TestFunctionControl.C
     functionObjects/TestFunctionObjects.C
@@ -12,7 +14,9 @@ set(SHIZUKU_DEVICE_TESTS
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C
     models/density/TestDensity.C
+    models/pressure/completedPbf/TestCompletedPbf.C
     models/pressure/pbf/TestPbf.C
+    models/surfaceTension/continuumSurfaceForce/TestContinuumSurfaceForce.C
     models/surfaceTension/pairTension/TestCohesionSpline.C
     models/surfaceTension/pairTension/TestPairTension.C
     models/viscosity/TestMomentum.C
@@ -20,8 +24,10 @@ set(SHIZUKU_DEVICE_TESTS
     models/viscosity/laminar/TestLaminar.C
     models/wetting/Akinci2013/TestAkinci2013.C
     models/wetting/contactAngle/TestContactAngle.C
+    models/wetting/extendedSurface/TestExtendedSurface.C
     motion/TestMotion.C
     neighbours/TestNeighbourList.C
+    neighbours/TestNeighbourhood.C
     particles/TestFieldRegistry.C
     particles/TestParticleFiles.C
     particles/TestUnits.C

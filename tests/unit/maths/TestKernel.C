@@ -56,7 +56,7 @@ public:
     std::vector<float> r, value, factor;
 };
 
-using Kernels = testing::Types<CubicSpline, Poly6Spiky>;
+using Kernels = testing::Types<CubicSpline, Poly6Spiky, WendlandC2>;
 TYPED_TEST_SUITE(Kernel, Kernels);
 
 }

@@ -113,13 +113,45 @@ TEST(Models, ThatAreOffLaunchAndAllocateNothing)
     pressure->correct(drop.liquid, drop.near, drop.walls);
     EXPECT_EQ(pressure->iterations(), 0);
     viscosity->apply(drop.liquid, drop.near, drop.walls, 0.01f);
+    drop.surface.update(drop.liquid, drop.near, drop.walls);
     EXPECT_FALSE(forces.active());
+    EXPECT_FALSE(drop.surface.active());
     EXPECT_EQ(bodyForce->acceleration(), 0);
     EXPECT_EQ(viscosity->stepLimit(drop.liquid.properties()), std::numeric_limits<double>::infinity());
 
     EXPECT_EQ(deviceCounters().launches, before.launches);
     EXPECT_EQ(deviceCounters().bytes, before.bytes);
     EXPECT_EQ(drop.liquid.fields().entries().size(), fields);
+}
+
+// The free surface, its wide neighbour list and the walls' tangent planes exist for the models that ask for them alone: a step
+// of the paper's models launches and holds what it did without.
+TEST(Models, WithoutAFreeSurfaceLeaveItIdle)
+{
+    const auto layer = latticeBlock(9, 9, 1, 1, {-4, -4, -0.5f});
+    for (const bool surface : {false, true})
+    {
+        LiquidCase drop({.walls = "floor { type particles; surface \"floor.stl\"; }", .solidPositions = layer,
+                         .solidTheta = std::vector<double>(layer.size(), 60)});
+        drop.folder.write
+        (
+            "constant/models", surface
+          ? "pressure completedPbf; surfaceTension continuumSurfaceForce; wetting extendedSurface; viscosity XSPH; bodyForce none;"
+          : "pressure pbf; surfaceTension Fujisawa2014; wetting contactAngle; viscosity XSPH; bodyForce none;"
+        );
+        const Models models(drop.folder.path(), Dictionary(), drop.liquid, drop.walls);
+        EXPECT_EQ(models.freeSurface->active(), surface);
+        EXPECT_EQ(models.freeSurface->support(), surface ? 4 * drop.liquid.spacing() : 0);
+        drop.place({{0, 0, 0.5f}, {1, 0, 0.5f}, {0, 1, 0.5f}});
+        EXPECT_EQ(drop.walls.view().planes.normal.size > 0, surface);
+
+        drop.near.update(drop.liquid, models.freeSurface->support());
+        EXPECT_EQ(drop.near.wide().count.size > 0, surface);
+        const DeviceCounters before = deviceCounters();
+        models.freeSurface->update(drop.liquid, drop.near, drop.walls);
+        EXPECT_EQ(deviceCounters().launches > before.launches, surface);
+        EXPECT_EQ(deviceCounters().bytes > before.bytes, surface);
+    }
 }
 
 // A case without walls pays nothing for them either.

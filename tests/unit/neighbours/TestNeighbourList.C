@@ -4,6 +4,7 @@
 
 #include "device/Gather.H"
 #include "support/BruteForce.H"
+#include "support/NeighbourLists.H"
 #include "support/PointSets.H"
 #include "support/Threads.H"
 
@@ -36,17 +37,10 @@ std::vector<std::vector<int>> neighboursOf
     NeighbourList list(support);
     list.build(targets.span(), targets.size(), grid, sorted.span(), sameSet);
 
-    // Entry k of particle i stands at start[i/s] + k s + i mod s.
-    const NeighbourView view = list.view();
-    const auto start = download(view.start), count = download(view.count), index = download(view.index);
-    constexpr int s = device::interleave;
-    std::vector<std::vector<int>> lists(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-        auto& mine = lists[sameSet ? order[i] : i];
-        for (std::uint32_t k = 0; k < count[i]; ++k) mine.push_back(int(order[index[start[i / s] + k * s + i % s]]));
-    }
-    return lists;
+    if (sameSet) return listsOf(list.view(), order, order);
+    std::vector<std::uint32_t> unchanged(points.size());
+    std::iota(unchanged.begin(), unchanged.end(), 0u);
+    return listsOf(list.view(), unchanged, order);
 }
 
 void expectAllPairs(const std::vector<Vec3>& points)
@@ -127,6 +121,28 @@ TEST(NeighbourList, FindsPairsOfTwoSets)
     // A point of one set is a neighbour of the same place in the other.
     EXPECT_TRUE(agreesWithAllPairs(neighboursOf(solid, solid, false), solid, solid, support, false));
     EXPECT_TRUE(agreesWithAllPairs(neighboursOf(liquid, {}, false), liquid, {}, support, false));
+}
+
+// Out of lists within twice and within 1.01 times the support; points and points' distances as in the direct search.
+TEST(NeighbourList, FindsAllPairsInListsOfAWiderSupport)
+{
+    for (const float wide : {2 * support, 1.01f * support})
+    {
+        for (const auto& points : {randomPoints(2000, {-5, -5, -5}, {4, 4, 4}), latticeBlock(9, 9, 9, support / 2)})
+        {
+            const Buffer<Vec3> unsorted(points);
+            CellGrid grid(wide);
+            const auto order = grid.build(unsorted.span(), unsorted.size()).download();
+            Buffer<Vec3> sorted;
+            gather(unsorted, Buffer<std::uint32_t>(order), sorted);
+            NeighbourList wider(wide), list(support);
+            wider.build(sorted.span(), sorted.size(), grid, sorted.span(), true);
+            list.buildWithin(wider, sorted.span(), sorted.size());
+            EXPECT_TRUE(agreesWithAllPairs(listsOf(wider.view(), order, order), points, points, wide, true));
+            EXPECT_TRUE(agreesWithAllPairs(listsOf(list.view(), order, order), points, points, support, true));
+            EXPECT_GT(wider.entries(), list.entries());
+        }
+    }
 }
 
 // The order of a list decides the order of a sum: it must not depend on the threads.

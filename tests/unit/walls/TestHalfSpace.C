@@ -48,7 +48,7 @@ public:
     const Reference<Type> reference{support};
 };
 
-using Kernels = testing::Types<CubicSpline, Poly6Spiky>;
+using Kernels = testing::Types<CubicSpline, Poly6Spiky, WendlandC2>;
 TYPED_TEST_SUITE(HalfSpace, Kernels);
 
 }

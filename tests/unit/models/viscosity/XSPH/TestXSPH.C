@@ -30,6 +30,61 @@ TEST(XSPH, SmoothsVelocitiesByItsFormula)
     }
 }
 
+// noSlip yes (the default) adds -c u_i times the walls' kernel density: the integral over a half-space, the sum of virtual
+// volumes over solid particles; of both the sum. noSlip no leaves them out.
+TEST(XSPH, HoldsBackAtWallsWithoutSlip)
+{
+    const auto points = randomPoints(200, {-3, -3, 0.1f}, {3, 3, 4});
+    const auto velocities = randomPoints(200, {-1, -1, -1}, {1, 1, 1}, 2);
+    const auto solid = latticeBlock(13, 13, 1, 0.9f, {-5.4f, -5.4f, -0.5f});
+    const Reference<CubicSpline> W{2};                  // in spacings, in which V = 1
+    for (const bool sampled : {false, true})
+    {
+        for (const std::string noSlip : {"", "noSlip yes;", "noSlip no;"})
+        {
+            CaseText text{.walls = "side { type plane; point (-3.5e-3 0 0); normal (1 0 0); }"};
+            if (sampled)
+            {
+                text.walls += "floor { type particles; surface \"floor.stl\"; }";
+                text.solidPositions = solid;
+            }
+            LiquidCase drop(text);
+            drop.place(points, velocities);
+            const auto model = Viscosity::New
+            (
+                Dictionary::parse("viscosity XSPH; XSPHCoeffs { c 0.3; " + noSlip + " }"), drop.liquid
+            );
+            model->apply(drop.liquid, drop.near, drop.walls, 0.02f);
+            const auto smoothed = drop.inOrder(drop.liquid.velocity);
+            std::vector<double> volume;
+            for (const Vec3& k : solid)
+            {
+                double sum = 0;
+                for (const Vec3& l : solid) sum += W.W(norm(k - l));
+                volume.push_back(1 / sum);
+            }
+            float atWalls = 0;
+            for (int i = 0; i < 200; ++i)
+            {
+                double neighbours = 0, wall = 0;
+                for (int j = 0; j < 200; ++j)
+                {
+                    neighbours += (double(velocities[j].y) - velocities[i].y) * W.W(norm(points[i] - points[j]));
+                }
+                const double s = points[i].x + 3.5;
+                const auto cap = [&](double r) { return 2 * std::numbers::pi * r * (r - s) * W.W(r); };
+                if (s < 2) wall += integrate(s, 2, 200, cap);
+                for (std::size_t k = 0; sampled && k < solid.size(); ++k) wall += volume[k] * W.W(norm(points[i] - solid[k]));
+                if (noSlip == "noSlip no;") wall = 0;
+                const double expected = velocities[i].y + 0.3 * (neighbours - wall * velocities[i].y);
+                ASSERT_NEAR(smoothed[i].y, expected, 5e-5) << i;       // 0.3 times the table's interpolation, 1e-4
+                atWalls = std::max(atWalls, std::abs(float(0.3 * wall * velocities[i].y)));
+            }
+            EXPECT_EQ(atWalls > 0.02f, noSlip != "noSlip no;");
+        }
+    }
+}
+
 TEST(XSPH, RefusesACoefficientOutOfRange)
 {
     LiquidCase drop;

@@ -1,0 +1,171 @@
+// The free surface of lattices whose surface is known.
+
+#include "freeSurface/FreeSurface.H"
+
+#include "device/Device.H"
+#include "support/LiquidCase.H"
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+constexpr double degree = std::numbers::pi / 180;
+
+const std::string floorPlane = "floor { type plane; point (0 0 0); normal (0 0 1); }";
+
+// The reconstruction in the order of placement.
+struct Reconstruction
+{
+    std::vector<Vec3> gradient;
+    std::vector<float> depth;
+    std::vector<ContactLine> contact;
+};
+
+Reconstruction reconstructionOf(const LiquidCase& drop)
+{
+    const FreeSurfaceView view = drop.surface.view();
+    const auto gradient = download(view.gradient);
+    const auto depth = download(view.depth);
+    const auto contact = download(view.contact);
+    const auto id = drop.liquid.id.download();
+    const std::size_t n = id.size();
+    Reconstruction result{std::vector<Vec3>(n), std::vector<float>(n), std::vector<ContactLine>(n)};
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        result.gradient[id[i]] = gradient[i];
+        result.depth[id[i]] = depth[i];
+        result.contact[id[i]] = contact[i];
+    }
+    return result;
+}
+
+}
+
+TEST(FreeSurface, ThatNobodyAskedForCostsNothing)
+{
+    LiquidCase drop;
+    drop.place(latticeBall(3));
+    const DeviceCounters before = deviceCounters();
+    FreeSurface surface;
+    surface.update(drop.liquid, drop.near, drop.walls);
+    EXPECT_FALSE(surface.active());
+    EXPECT_EQ(surface.support(), 0);
+    EXPECT_EQ(surface.view().depth.size, 0);
+    EXPECT_EQ(deviceCounters().launches, before.launches);
+    EXPECT_EQ(deviceCounters().bytes, before.bytes);
+}
+
+// A lattice below z = 0, its first layer half a spacing below: |G| and depth of each layer against the integrals over the
+// half-space. Sums over 270 points differ from integrals by 3 % of the steepest slope; the depth follows to 0.15 spacings, and
+// deeper than three of them, where the slope is below 1 %, is only not less. Diluted liquid has a smaller slope and the same
+// depth.
+TEST(FreeSurface, OfALatticeHalfSpaceIsPlanar)
+{
+    for (const float apart : {1.0f, 1.06f})
+    {
+        LiquidCase drop;
+        drop.surface.require(drop.liquid, drop.walls, 4, 0);
+        const float d = drop.liquid.spacing(), h = drop.surface.support();
+        EXPECT_FLOAT_EQ(h, 4 * d);
+        const auto points = latticeBlock(11, 11, 10, apart, {-5 * apart, -5 * apart, -9.5f * apart});
+        drop.place(points);
+        const auto surface = reconstructionOf(drop);
+        const auto table = tabulateHalfSpace(drop.surface.kernel());
+        const HalfSpaceView plane{{table.data(), int(table.size())}, h};
+        const float steepest = plane(0).gradient, dilution = 1 / (apart * apart * apart);
+        EXPECT_FLOAT_EQ(drop.surface.steepest(), steepest);
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            const Vec3 x = points[i], G = surface.gradient[i];
+            if (x.x != 0 || x.y != 0 || x.z < -5) continue;
+            const float s = -x.z * d;
+            EXPECT_NEAR(-G.z, dilution * plane(s).gradient, 0.03f * steepest) << x.z;
+            EXPECT_NEAR(std::hypot(G.x, G.y), 0, 1e-5f * steepest) << x.z;         // roundings of 270 terms
+            if (s < 3 * d)
+            {
+                EXPECT_NEAR(surface.depth[i], s, 0.15f * d) << x.z;
+            }
+            else
+            {
+                EXPECT_GT(surface.depth[i], std::min(s, h) - 0.15f * d) << x.z;
+            }
+            EXPECT_EQ(surface.contact[i].wall, -1);
+        }
+    }
+}
+
+// What stands alone has no surface direction and is at the least depth, half a spacing; what has no liquid near is not deeper.
+TEST(FreeSurface, IsNotLessThanHalfASpacingAway)
+{
+    LiquidCase drop;
+    drop.surface.require(drop.liquid, drop.walls, 4, 0);
+    auto points = latticeBall(4);
+    points.push_back({5.5f, 0, 0});
+    drop.place(points);
+    const float d = drop.liquid.spacing();
+    const auto surface = reconstructionOf(drop);
+    for (const float depth : surface.depth) EXPECT_GE(depth, 0.5f * d * (1 - 1e-6f));
+    EXPECT_FLOAT_EQ(surface.depth.back(), 0.5f * d);
+}
+
+// Liquid whose interface meets the wall at the contact angle reads, near the wall, as without one. The lattice against the
+// wedge's integrals: 3 degrees and 0.15 spacings where |G| is above a third of its largest; deeper the colour hardly changes
+// with depth, and only the reconstructed wall's index, angle and direction are asked for.
+TEST(FreeSurface, OfAWedgeAtItsContactAngleIsThatOfAHalfSpace)
+{
+    for (const double theta : {45.0, 60.0, 90.0, 110.0, 135.0})
+    {
+        LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta " + std::to_string(theta) + "; }"});
+        drop.walls.requireContactAngles();
+        drop.surface.require(drop.liquid, drop.walls, 4, 0);
+        const auto points = latticeWedge(theta, 10, 11, 10);
+        drop.place(points);
+        const float d = drop.liquid.spacing(), h = drop.surface.support();
+        const auto table = tabulateHalfSpace(drop.surface.kernel());
+        const HalfSpaceView plane{{table.data(), int(table.size())}, h};
+        const auto surface = reconstructionOf(drop);
+        const Vec3 m{float(std::sin(theta * degree)), 0, float(std::cos(theta * degree))};
+        int compared = 0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            const Vec3 x = points[i], G = surface.gradient[i];
+            const float s = -dot(x, m);
+            if (std::abs(x.y) > 0.1f || x.z > 5 || s > 1.5f) continue;
+            ++compared;
+            EXPECT_GT(-dot(G, m) / norm(G), std::cos(3 * degree)) << theta << " " << x.z << " " << s;
+            EXPECT_NEAR(norm(G), plane(s * d).gradient, 0.07f * plane(0).gradient) << theta << " " << x.z << " " << s;
+            EXPECT_NEAR(surface.depth[i], std::max(s, 0.5f) * d, 0.15f * d) << theta << " " << x.z << " " << s;
+            const ContactLine line = surface.contact[i];
+            EXPECT_EQ(line.wall, x.z < 4 ? 0 : -1);
+            if (line.wall < 0) continue;
+            EXPECT_NEAR(line.theta, theta * degree, 1e-6);
+            EXPECT_NEAR(line.tangent.x, 1, 1e-5);               // by symmetry; roundings of 270 terms
+            EXPECT_NEAR(line.tangent.z, 0, 1e-6);
+            EXPECT_NEAR(line.depth, s * d, 0.2f * d) << theta << " " << x.z << " " << s;
+        }
+        EXPECT_GE(compared, 10);
+    }
+}
+
+// Where two walls meet below deep liquid there is no surface: both are full. The union's product is off by 1.5e-3 of the
+// density, some hundredths of the steepest slope.
+TEST(FreeSurface, IsNotInACornerFullOfLiquid)
+{
+    LiquidCase drop({.walls = floorPlane + "side { type plane; point (0 0 0); normal (1 0 0); }"});
+    drop.surface.require(drop.liquid, drop.walls, 4, 0);
+    const auto points = latticeBlock(10, 11, 10, 1, {0.5f, -5, 0.5f});
+    drop.place(points);
+    const float d = drop.liquid.spacing();
+    const auto surface = reconstructionOf(drop);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const Vec3 x = points[i];
+        if (x.y != 0 || x.x > 5 || x.z > 5) continue;
+        EXPECT_LT(norm(surface.gradient[i]), 0.05f * drop.surface.steepest()) << x.x << " " << x.z;
+        EXPECT_GT(surface.depth[i], 2.4f * d) << x.x << " " << x.z;
+        const bool nearFloor = x.z < 4 && x.z <= x.x, nearSide = x.x < 4 && x.x < x.z;
+        EXPECT_EQ(surface.contact[i].wall, nearFloor ? 0 : nearSide ? 1 : -1) << x.x << " " << x.z;
+    }
+}

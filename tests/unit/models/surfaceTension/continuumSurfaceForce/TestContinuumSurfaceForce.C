@@ -1,0 +1,157 @@
+// The surface's force on lattices whose curvature is known.
+
+#include "models/surfaceTension/SurfaceTension.H"
+
+#include "support/LiquidCase.H"
+#include "support/ReferenceKernels.H"
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+constexpr double degree = std::numbers::pi / 180;
+
+const std::string floorPlane = "floor { type plane; point (0 0 0); normal (0 0 1); }";
+
+std::unique_ptr<SurfaceTension> makeTension(LiquidCase& drop, const std::string& coeffs = "")
+{
+    const Dictionary models = Dictionary::parse
+    (
+        "surfaceTension continuumSurfaceForce; continuumSurfaceForceCoeffs { " + coeffs + " }", "constant/models"
+    );
+    return SurfaceTension::New(models, drop.liquid, drop.walls, drop.surface);
+}
+
+// Accelerations in the order of placement, times rho0 d^2/sigma: forces in units of sigma d, curvatures of 1/d.
+std::vector<Vec3> tensionOf(LiquidCase& drop, SurfaceTension& tension, const std::vector<Vec3>& points)
+{
+    drop.place(points);
+    Buffer<Vec3> acceleration(drop.liquid.all());
+    acceleration.setZero();
+    tension.apply(drop.liquid, drop.near, drop.walls, acceleration);
+    const float d = drop.liquid.spacing();
+    const float sigma = drop.liquid.units().toScaled(drop.liquid.properties().surfaceTension, dimensions::surfaceTension);
+    auto result = drop.inOrder(acceleration);
+    for (Vec3& a : result) a = drop.liquid.restDensity() * d * d / sigma * a;
+    return result;
+}
+
+// |G| at distance r from the centre of a ball of radius R: the integral over its surface of W times the cosine.
+double slopeInBall(double r, double R, double h)
+{
+    const Reference<WendlandC2> W{h};
+    const auto ring = [&](double cosine) { return cosine * W.W(std::sqrt(r * r + R * R - 2 * r * R * cosine)); };
+    return 2 * std::numbers::pi * R * R * integrate(-1, 1, 800, ring);
+}
+
+// int of 2 kappa |G|, kappa = 2/R, over what of the ball is near the surface: the inward force, in units of sigma d.
+double forceOnBall(double R, double h)
+{
+    const Reference<WendlandC2> W{h};
+    const double steepest = integrate(0, h, 400, [&](double r) { return 2 * std::numbers::pi * r * W.W(r); });
+    const auto shell = [&](double r)
+    {
+        const double slope = slopeInBall(r, R, h);
+        return slope > 0.3 * steepest ? 4 * std::numbers::pi * r * r * 2 * (2 / R) * slope : 0;
+    };
+    return integrate(R - h, R, 2000, shell);
+}
+
+}
+
+// The total inward force is that of the curvature 2/R and of the integral of |G| over the ball, with R from the particles'
+// volume; and it has no resultant. A lattice's surface is rough: 3 %.
+TEST(ContinuumSurfaceForce, PressesABallByTwiceItsCurvature)
+{
+    for (const float radius : {6.0f, 7.3f, 8.0f, 10.0f})
+    {
+        LiquidCase drop;
+        const auto tension = makeTension(drop);
+        const auto points = latticeBall(radius);
+        const auto force = tensionOf(drop, *tension, points);
+        const double R = std::cbrt(3 * double(points.size()) / (4 * std::numbers::pi));
+        double inward = 0;
+        Vec3 total;
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            total += force[i];
+            inward -= dot(force[i], points[i]) / norm(points[i]);
+        }
+        EXPECT_NEAR(inward / forceOnBall(R, 4), 1, 0.03) << radius;
+        EXPECT_NEAR(norm(total), 0, 1e-6 * inward) << radius;           // of a thousand terms, by symmetry
+    }
+}
+
+// Farther than two supports from the edges of a block, whose own force shows that the model acts. The normals differ by
+// their roundings, 1e-7.
+TEST(ContinuumSurfaceForce, LeavesAPlaneAlone)
+{
+    LiquidCase drop;
+    const auto tension = makeTension(drop);
+    const auto points = latticeBlock(29, 29, 8, 1, {-14, -14, -7.5f});
+    const auto force = tensionOf(drop, *tension, points);
+    float edge = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        edge = std::max(edge, norm(force[i]));
+        const bool inside = std::max(std::abs(points[i].x), std::abs(points[i].y)) < 2.1f;
+        if (inside)
+        {
+            EXPECT_LT(norm(force[i]), 1e-6f) << points[i].z;
+        }
+    }
+    EXPECT_GT(edge, 0.1f);
+}
+
+// Per length of the contact line, in units of sigma, along the wall. At the contact angle nothing: a lattice in front of the
+// wall and integrals behind it leave 0.02. A wedge that is steeper than the contact angle is drawn out over the wall, one that
+// is flatter is drawn back, by Young's cos(theta) - cos(wedge); the force is cut at the largest curvature and spread over
+// four supports, not all of which are summed over, so that of it 0.4 to 1 is seen.
+TEST(ContinuumSurfaceForce, IsYoungsAtTheContactLine)
+{
+    for (const double wedge : {60.0, 90.0, 120.0})
+    {
+        for (const double theta : {wedge - 30, wedge, wedge + 30})
+        {
+            LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta " + std::to_string(theta) + "; }"});
+            drop.walls.requireContactAngles();
+            const auto tension = makeTension(drop);
+            const auto points = latticeWedge(wedge, 7, 25, 16);
+            const auto force = tensionOf(drop, *tension, points);
+            const double sine = std::sin(wedge * degree), cosine = std::cos(wedge * degree);
+            double along = 0;
+            for (std::size_t i = 0; i < points.size(); ++i)
+            {
+                const Vec3 x = points[i];
+                if (x.y != 0 || x.z > 8 || -x.x * sine - x.z * cosine > 3) continue;
+                along += force[i].x;
+                if (theta == wedge)
+                {
+                    EXPECT_LT(norm(force[i]), 0.01f) << wedge << " " << x.x << " " << x.z;
+                }
+            }
+            if (theta == wedge)
+            {
+                EXPECT_NEAR(along, 0, 0.02) << wedge;
+                continue;
+            }
+            const double share = along / (std::cos(theta * degree) - cosine);
+            EXPECT_GT(share, 0.4) << wedge << " " << theta;
+            EXPECT_LT(share, 1) << wedge << " " << theta;
+        }
+    }
+}
+
+TEST(ContinuumSurfaceForce, RefusesASupportOutOfRange)
+{
+    LiquidCase drop;
+    EXPECT_EQ(messageOf([&] { makeTension(drop, "support 3;"); }), "no error");
+    EXPECT_EQ(messageOf([&] { makeTension(drop, "support 8;"); }), "no error");
+    for (const std::string support : {"2.9", "8.1", "-4", "0"})
+    {
+        EXPECT_TRUE(holds(messageOf([&] { makeTension(drop, "support " + support + ";"); }),
+                          {"constant/models", "support", "1.5 times the kernel's to 8 spacings"}));
+    }
+}
