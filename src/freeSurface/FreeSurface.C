@@ -19,10 +19,11 @@ struct Reconstruct
     WallCompletion completion;
     HalfSpaceView plane;
     Span<const float> depthOfRatio;
-    float largestRatio;
+    float largestRatio, suction;
     Span<Vec3> gradient;
     Span<float> depth;
     Span<ContactLine> contact;
+    Span<float> lowestPressure;
 
     HOST_DEVICE void operator()(int i) const
     {
@@ -45,6 +46,7 @@ struct Reconstruct
         G += wall.gradient;
         contact[i] = line;
         gradient[i] = G;
+        lowestPressure[i] = -suction;
         depth[i] = depthOf(norm(G) / colour * W.h);
     }
 
@@ -147,11 +149,12 @@ void FreeSurface::update(const Liquid& liquid, const Neighbourhood& near, const 
     gradient_.resizeDiscarding(liquid.all());
     depth_.resizeDiscarding(liquid.all());
     contact_.resizeDiscarding(liquid.all());
+    lowestPressure_.resizeDiscarding(liquid.all());
     forEach(liquid.owned(), Reconstruct
     {
         *kernel_, liquid.particleVolume() / latticeSum_, liquid.predicted.span(), near.wide(),
         {extended_->view(), kernel_->h, walls.view()}, {plane_.span(), kernel_->h}, depthOfRatio_.span(), largestRatio_,
-        gradient_.span(), depth_.span(), contact_.span()
+        suction_, gradient_.span(), depth_.span(), contact_.span(), lowestPressure_.span()
     });
 }
 

@@ -6,11 +6,15 @@
 //
 //     C_i  = rho_i/(rho0 E_i) - 1,   rho_i/rho0 = V sum_j W_ij / S + walls,   E_i = 1 - Psi(s_i)
 //     p_i  : increased in each iteration by w C_i / (sum_j |V grad W_ij|^2 + |sum|^2 + epsilon) rho0/dt^2, kept >= -p_s
-//     dx_i = -(dt^2/rho0) [ sum_j V (dp_i + dp_j) grad W_ij + 2 dp_i grad(walls) ]
+//     dx_i = -(dt^2/rho0) [ sum_j V (dp_j - dp_i) grad W_ij + 2 dp_i g_i + 2 dp_i sign(p_i) (G_i - g_i) ]
 //
-// with Psi(s) the kernel's integral over the half-space beyond distance s, s_i from FreeSurface.H, dp the increase of p. The
-// multiplier is the pressure, p [Pa]: it begins each step at zero and may fall again within the step. It pulls no more than
-// the surface can bear, p_s: the suction that the tension allows (sigma/d), nothing without tension.
+// with Psi(s) the kernel's integral over the half-space beyond distance s, s_i from FreeSurface.H, dp the increase of p.
+// The multiplier is the pressure, p [Pa]: it begins each step at zero and may fall again within the step. It pulls no more
+// than the surface can bear, p_s: what the tension allows, nothing without tension.
+//
+// G_i = sum_j V grad W_ij + grad(walls) of the neighbours as they lie, g_i what a planar surface at depth s_i has. Under
+// pressure the displacement is the usual sum over dp_i + dp_j, which orders the particles. Under suction that sum would
+// let them clump; there the part of their disorder, G_i - g_i, goes on ordering.
 //
 //     pressure    completedPbf;           // in constant/models
 //
@@ -32,7 +36,7 @@ struct RaisePressure
 {
     Kernel W;
     float volume, densityVolume;            // V, V/S
-    float relaxation, epsilon, perPressure, lowest; // perPressure: dt^2/rho0; lowest: -p_s
+    float relaxation, epsilon, perPressure; // perPressure: dt^2/rho0
     Span<const Vec3> x;
     NeighbourView near;
     WallCompletion walls;
@@ -60,7 +64,7 @@ struct RaisePressure
 
         const float before = pressure[i];
         const float step = relaxation * (density[i] - 1) / (squares + squared(sum) + epsilon);
-        pressure[i] = fmaxf(before + step / perPressure, lowest);
+        pressure[i] = fmaxf(before + step / perPressure, surface.lowestPressure[i]);
         increase[i] = (pressure[i] - before) * perPressure;
     }
 };
@@ -74,20 +78,29 @@ struct Displace
     NeighbourView near;
     WallCompletion walls;
     FreeSurfaceView surface;
-    Span<const float> increase;
+    HalfSpaceView plane;
+    Span<const float> pressure, increase;
     Span<Vec3> corrected;
 
     HOST_DEVICE void operator()(int i) const
     {
         const Vec3 xi = x[i];
-        const float si = increase[i];
-        Vec3 step = 2 * si * walls(i, xi, surface.contact[i]).gradient;
+        const float own = increase[i], sign = pressure[i] < 0 ? -1 : 1;
+        Vec3 step = 2 * sign * own * walls(i, xi, surface.contact[i]).gradient;
         near.forEach(i, [&](int j)
         {
             const Vec3 r = xi - x[j];
-            step += volume * (si + increase[j]) * W.g(norm(r)) * r;
+            step += volume * (increase[j] + (2 * sign - 1) * own) * W.g(norm(r)) * r;
         });
+        if (sign < 0) step += 4 * own * planarGradient(i);
         corrected[i] = xi - step;
+    }
+
+private:
+    HOST_DEVICE Vec3 planarGradient(int i) const
+    {
+        const Vec3 G = surface.gradient[i];
+        return plane(surface.depth[i]).gradient / fmaxf(norm(G), 1e-20f) * G;
     }
 };
 
@@ -131,7 +144,7 @@ public:
                 forEach(liquid.owned(), RaisePressure<Kernel>
                 {
                     W, V, V / liquid.latticeSum(), controls_.relaxation, controls_.epsilon,
-                    dt_ * dt_ / liquid.restDensity(), -surface_.suction(), liquid.predicted.span(), near.view(),
+                    dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
                     {extended_->view(), W.h, walls.view()}, surface_.view(), {plane_.span(), W.h},
                     liquid.density.span(), pressure_.span(), increase_.span()
                 });
@@ -153,7 +166,8 @@ public:
                 forEach(liquid.owned(), Displace<Kernel>
                 {
                     W, liquid.particleVolume(), liquid.predicted.span(), near.view(),
-                    {extended_->view(), W.h, walls.view()}, surface_.view(), increase_.span(), corrected_.span()
+                    {extended_->view(), W.h, walls.view()}, surface_.view(), {plane_.span(), W.h},
+                    pressure_.span(), increase_.span(), corrected_.span()
                 });
             },
             liquid.kernel()

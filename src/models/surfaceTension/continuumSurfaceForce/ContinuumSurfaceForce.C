@@ -1,5 +1,5 @@
-// Continuum surface force (Brackbill, Kothe and Zemach 1992) on the free surface of FreeSurface.H, with walls as the liquid's
-// extension at the contact angle.
+// Continuum surface force (Brackbill, Kothe and Zemach 1992) on the free surface of FreeSurface.H, with walls as the
+// liquid's extension at the contact angle.
 //
 //     m_i     = -G_i/|G_i|                                        the outward normal
 //     kappa_i = 2 sum_j w_ij (x_j - x_i).(m_j - m_i) / sum_j w_ij t_ij^2,    w_ij = V |W'_ij|/r_ij,    j near the surface
@@ -12,7 +12,8 @@
 // surface, and only its inner half carries particles. Near the surface means |G| above 0.3 of a planar surface's;
 // particles with normals apart by more than a right angle lie on different surfaces. Of the wall's wedge every point has
 // the normal sin(theta) t + cos(theta) n. No cohesion enters, so no internal pressure locks the particles; sigma and theta
-// are the user's, and nothing is fitted. Where the surface is hollow it pulls: the pressure may go down to -sigma/d.
+// are the user's, and nothing is fitted. Where the surface is hollow the pressure behind it may fall to 1.5 sigma kappa,
+// and to -sigma/d away from the surface.
 // What was tried, and what each choice gave, stands in doc/theory/continuumSurfaceForce.md.
 //
 //     surfaceTension  continuumSurfaceForce;
@@ -29,6 +30,7 @@ namespace
 
 constexpr float nearSurface = 0.3f;         // of the planar |G|
 constexpr float sharpest = 0.7f;            // largest |kappa|, times the spacing
+constexpr float holds = 1.5f;               // lowest pressure at a hollow surface, over sigma kappa
 
 struct Normal
 {
@@ -97,7 +99,8 @@ struct Smooth
     Span<const float> curvature;
     NeighbourView near;
     FreeSurfaceView surface;
-    float strength;                         // 2 sigma/rho0
+    float sigma, restDensity;
+    Span<float> lowestPressure;
     Span<Vec3> acceleration;
 
     HOST_DEVICE void operator()(int i) const
@@ -112,7 +115,9 @@ struct Smooth
             weight += w;
             sum += w * curvature[j];
         });
-        acceleration[i] += strength * sum / weight * G;
+        const float jump = sigma * sum / weight;
+        lowestPressure[i] = fminf(fmaxf(holds * jump, lowestPressure[i]), 0);
+        acceleration[i] += 2 * jump / restDensity * G;
     }
 };
 
@@ -155,8 +160,8 @@ public:
         });
         forEach(liquid.owned(), Smooth
         {
-            W, x, normal_.span(), curvature_.span(), near.wide(), view, 2 * sigma_ / liquid.restDensity(),
-            acceleration.span()
+            W, x, normal_.span(), curvature_.span(), near.wide(), view, sigma_, liquid.restDensity(),
+            surface_.lowestPressure(), acceleration.span()
         });
     }
 
