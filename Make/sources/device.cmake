@@ -20,7 +20,7 @@ set(SHIZUKU_DEVICE_SOURCES
     models/forces/InterParticleForces.C
     models/pressure/Pressure.C
     models/pressure/none/none.C
-    models/pressure/controls/PressureControls.C
+    models/pressure/shared/PressureControls.C
     models/pressure/completedPbf/CompletedPbf.C
     models/pressure/pbf/Pbf.C
     models/surfaceTension/SurfaceTension.C

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <string>
 
@@ -109,26 +110,36 @@ DropProfile bashforthAdams(double apexRadius, double capillaryLength, double con
     return {apexRadius, capillaryLength, equation.points(equation.lengthTo(radians(contactAngle)), points)};
 }
 
-DropProfile bashforthAdamsOfVolume(double volume, double capillaryLength, double contactAngle, int points)
+DropProfile bashforthAdamsWhere
+(
+    const std::function<double(const DropProfile&)>& excess, double fromRadius, double capillaryLength, double contactAngle,
+    int points
+)
 {
-    if (!(volume > 0 && std::isfinite(volume))) refuse("a positive volume", volume);
-    const auto logExcess = [&](double logRadius)
+    const auto excessAt = [&](double logRadius)
     {
-        return std::log(bashforthAdams(std::exp(logRadius), capillaryLength, contactAngle, 2).volume()/volume);
+        return excess(bashforthAdams(std::exp(logRadius), capillaryLength, contactAngle, 2));
     };
-    // Gravity only flattens the apex: its radius is at least that of the cap without gravity.
-    const double cap = std::cbrt(volume/bashforthAdams(1, HUGE_VAL, contactAngle, 2).volume());
-    double low = std::log(cap), high = low;
+    double low = std::log(fromRadius), high = low;
     do
     {
         low = high;
         high += 0.5;
     }
-    while (logExcess(high) < 0);
-    if (logExcess(low) > 0) low -= 1e-6;    // rounding, where gravity does not count
+    while (excessAt(high) < 0);
+    if (excessAt(low) > 0) low -= 1e-6;     // rounding, where gravity does not count
     std::uintmax_t steps = 200;
-    const auto [below, above] = roots::toms748_solve(logExcess, low, high, roots::eps_tolerance<double>(45), steps);
+    const auto [below, above] = roots::toms748_solve(excessAt, low, high, roots::eps_tolerance<double>(45), steps);
     return bashforthAdams(std::exp(0.5*(below + above)), capillaryLength, contactAngle, points);
+}
+
+DropProfile bashforthAdamsOfVolume(double volume, double capillaryLength, double contactAngle, int points)
+{
+    if (!(volume > 0 && std::isfinite(volume))) refuse("a positive volume", volume);
+    // Gravity only flattens the apex: its radius is at least that of the cap without gravity.
+    const double cap = std::cbrt(volume/bashforthAdams(1, HUGE_VAL, contactAngle, 2).volume());
+    const auto excess = [&](const DropProfile& drop) { return std::log(drop.volume()/volume); };
+    return bashforthAdamsWhere(excess, cap, capillaryLength, contactAngle, points);
 }
 
 }

@@ -3,11 +3,8 @@
 #include "core/messages/Error.H"
 #include "reference/BashforthAdams.H"
 
-#include <boost/math/tools/roots.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 
 namespace shizuku
@@ -16,27 +13,13 @@ namespace shizuku
 namespace
 {
 
-namespace roots = boost::math::tools;
-
 // The profile whose inclination is `angle` [degrees] where x is the radius: a sphere's cap is the flattest apex that does
 // so without gravity, and gravity only flattens it.
 DropProfile profileThrough(double radius, double capillaryLength, double angle, int points)
 {
-    const auto logExcess = [&](double logApexRadius)
-    {
-        return std::log(bashforthAdams(std::exp(logApexRadius), capillaryLength, angle, 2).contactRadius()/radius);
-    };
-    double low = std::log(radius/std::sin(angle*std::numbers::pi/180)), high = low;
-    do
-    {
-        low = high;
-        high += 0.5;
-    }
-    while (logExcess(high) < 0);
-    if (logExcess(low) > 0) low -= 1e-6;        // rounding, where gravity does not count
-    std::uintmax_t steps = 200;
-    const auto [below, above] = roots::toms748_solve(logExcess, low, high, roots::eps_tolerance<double>(45), steps);
-    return bashforthAdams(std::exp(0.5*(below + above)), capillaryLength, angle, points);
+    const double cap = radius/std::sin(angle*std::numbers::pi/180);
+    const auto excess = [&](const DropProfile& profile) { return std::log(profile.contactRadius()/radius); };
+    return bashforthAdamsWhere(excess, cap, capillaryLength, angle, points);
 }
 
 }

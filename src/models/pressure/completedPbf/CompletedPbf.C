@@ -18,12 +18,13 @@
 //
 //     pressure    completedPbf;           // in constant/models
 //
-// Its controls stand in system/solution: controls/PressureControls.H. Trials: doc/theory/completedPbf.md.
+// Its controls stand in system/solution: shared/PressureControls.H. Trials: doc/theory/completedPbf.md.
 
 #include "freeSurface/FreeSurface.H"
 #include "models/pressure/Pressure.H"
-#include "models/pressure/controls/AverageCompression.H"
-#include "models/pressure/controls/PressureControls.H"
+#include "models/pressure/shared/AverageCompression.H"
+#include "models/pressure/shared/LiquidSums.H"
+#include "models/pressure/shared/PressureControls.H"
 
 namespace shizuku
 {
@@ -46,24 +47,12 @@ struct RaisePressure
 
     HOST_DEVICE void operator()(int i) const
     {
-        const Vec3 xi = x[i];
-        float liquid = W.W(0), squares = 0;
-        Vec3 sum;
-        near.forEach(i, [&](int j)
-        {
-            const Vec3 r = xi - x[j];
-            const float distance = norm(r);
-            liquid += W.W(distance);
-            const Vec3 gradient = volume * W.g(distance) * r;
-            squares += squared(gradient);
-            sum += gradient;
-        });
-        const auto wall = walls(i, xi, surface.contact[i]);
-        sum += wall.gradient;
-        density[i] = (densityVolume * liquid + wall.value) / (1 - plane(surface.depth[i]).density);
+        const LiquidSums sums = liquidSums(W, volume, i, x, near);
+        const auto wall = walls(i, x[i], surface.contact[i]);
+        density[i] = (densityVolume * sums.W + wall.value) / (1 - plane(surface.depth[i]).density);
 
         const float before = pressure[i];
-        const float step = relaxation * (density[i] - 1) / (squares + squared(sum) + epsilon);
+        const float step = relaxation * (density[i] - 1) / (sums.squares + squared(sums.gradient + wall.gradient) + epsilon);
         pressure[i] = fmaxf(before + step / perPressure, surface.lowestPressure[i]);
         increase[i] = (pressure[i] - before) * perPressure;
     }

@@ -1,6 +1,7 @@
 #include "models/pressure/pbf/Pbf.H"
 
 #include "models/density/Density.H"
+#include "models/pressure/shared/LiquidSums.H"
 
 namespace shizuku
 {
@@ -25,34 +26,24 @@ struct Multiplier
     HOST_DEVICE void operator()(int i) const
     {
         const Vec3 xi = x[i];
-        float liquid = W.W(0), squares = 0;
-        Vec3 sum;
-        near.forEach(i, [&](int j)
-        {
-            const Vec3 r = xi - x[j];
-            const float distance = norm(r);
-            liquid += W.W(distance);
-            const Vec3 gradient = volume * W.g(distance) * r;
-            squares += squared(gradient);
-            sum += gradient;
-        });
+        LiquidSums sums = liquidSums(W, volume, i, x, near);
         const auto wall = walls.surfaces.density(xi);
         float solid = wall.value;
-        squares += squared(wall.gradient);
-        sum += wall.gradient;
+        sums.squares += squared(wall.gradient);
+        sums.gradient += wall.gradient;
         walls.particles.near.forEach(i, [&](int k)
         {
             const Vec3 r = xi - walls.particles.position[k];
             const float distance = norm(r);
             solid += walls.particles.volume[k] * W.W(distance);
             const Vec3 gradient = walls.particles.volume[k] * W.g(distance) * r;
-            squares += squared(gradient);
-            sum += gradient;
+            sums.squares += squared(gradient);
+            sums.gradient += gradient;
         });
-        density[i] = densityVolume * liquid + solid;
+        density[i] = densityVolume * sums.W + solid;
         float C = density[i] - 1;
         if (unilateral) C = fmaxf(C, 0);
-        multiplier[i] = C / (squares + (selfGradient ? squared(sum) : 0) + epsilon);
+        multiplier[i] = C / (sums.squares + (selfGradient ? squared(sums.gradient) : 0) + epsilon);
     }
 };
 

@@ -1,4 +1,4 @@
-#include "models/pressure/controls/PressureControls.H"
+#include "models/pressure/shared/PressureControls.H"
 
 #include "maths/Lattice.H"
 
