@@ -23,7 +23,7 @@
 #include "freeSurface/FreeSurface.H"
 #include "models/pressure/Pressure.H"
 #include "models/pressure/shared/AverageCompression.H"
-#include "models/pressure/shared/LiquidSums.H"
+#include "models/pressure/shared/ConstraintSums.H"
 #include "models/pressure/shared/PressureControls.H"
 
 namespace shizuku
@@ -47,7 +47,7 @@ struct RaisePressure
 
     HOST_DEVICE void operator()(int i) const
     {
-        const LiquidSums sums = liquidSums(W, volume, i, x, near);
+        const ConstraintSums sums = constraintSums(W, volume, i, x, near);
         const auto wall = walls(i, x[i], surface.contact[i]);
         density[i] = (densityVolume * sums.W + wall.value) / (1 - plane(surface.depth[i]).density);
 

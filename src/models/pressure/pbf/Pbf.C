@@ -1,7 +1,7 @@
 #include "models/pressure/pbf/Pbf.H"
 
 #include "models/density/Density.H"
-#include "models/pressure/shared/LiquidSums.H"
+#include "models/pressure/shared/ConstraintSums.H"
 
 namespace shizuku
 {
@@ -26,7 +26,7 @@ struct Multiplier
     HOST_DEVICE void operator()(int i) const
     {
         const Vec3 xi = x[i];
-        LiquidSums sums = liquidSums(W, volume, i, x, near);
+        ConstraintSums sums = constraintSums(W, volume, i, x, near);
         const auto wall = walls.surfaces.density(xi);
         float solid = wall.value;
         sums.squares += squared(wall.gradient);

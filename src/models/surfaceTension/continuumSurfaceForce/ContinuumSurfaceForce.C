@@ -14,11 +14,15 @@
 // the normal sin(theta) t + cos(theta) n. No cohesion enters, so no internal pressure locks the particles; sigma and theta
 // are the user's, and nothing is fitted. Where the surface is hollow the pressure behind it may fall to 1.5 sigma kappa,
 // and to -sigma/d away from the surface.
+//
+// The tension of closed surfaces has no resultant; the sums have a small one, which would set free liquid moving. Where no
+// wall is that could hold against it, it is taken off all particles alike.
 // What was tried, and what each choice gave, stands in doc/theory/continuumSurfaceForce.md.
 //
 //     surfaceTension  continuumSurfaceForce;
 //     continuumSurfaceForceCoeffs { support 4; }      // of the normals and the curvature, in spacings
 
+#include "device/Reduce.H"
 #include "freeSurface/FreeSurface.H"
 #include "models/surfaceTension/SurfaceTension.H"
 
@@ -121,6 +125,37 @@ struct Smooth
     }
 };
 
+struct Resultant
+{
+    double x = 0, y = 0, z = 0;
+
+    HOST_DEVICE void add(const Resultant& other)
+    {
+        x += other.x;
+        y += other.y;
+        z += other.z;
+    }
+};
+
+struct AccelerationOf
+{
+    Span<const Vec3> acceleration;
+
+    HOST_DEVICE Resultant operator()(int i) const
+    {
+        const Vec3 a = acceleration[i];
+        return {a.x, a.y, a.z};
+    }
+};
+
+struct Shift
+{
+    Vec3 by;
+    Span<Vec3> acceleration;
+
+    HOST_DEVICE void operator()(int i) const { acceleration[i] += by; }
+};
+
 class ContinuumSurfaceForce : public SurfaceTension
 {
 public:
@@ -163,9 +198,18 @@ public:
             W, x, normal_.span(), curvature_.span(), near.wide(), view, sigma_, liquid.restDensity(),
             surface_.lowestPressure(), acceleration.span()
         });
+        if (walls.particles() == 0 && walls.surfaces() == 0) balance(liquid, acceleration);
     }
 
 private:
+    void balance(const Liquid& liquid, Buffer<Vec3>& acceleration)
+    {
+        const int n = liquid.owned();
+        const Resultant sum = reduce(n, AccelerationOf{acceleration.span()}, scratch_);
+        const auto mean = [&](double component) { return float(-component / std::max(n, 1)); };
+        forEach(n, Shift{{mean(sum.x), mean(sum.y), mean(sum.z)}, acceleration.span()});
+    }
+
     // The wedge's part in the curvature: of what lies near the surface.
     void tabulate(const Walls& walls)
     {
@@ -187,6 +231,7 @@ private:
     std::optional<ExtendedLiquid> extended_;
     Buffer<Vec3> normal_;
     Buffer<float> curvature_;
+    Buffer<Resultant> scratch_;
 };
 
 const SurfaceTensionTable::Add<ContinuumSurfaceForce> registered{"continuumSurfaceForce"};
