@@ -77,7 +77,28 @@ private:
             if (a != line.wall) open *= 1 - completion.extended(line.theta, wall.distance / W.h, 1).value;
         });
         line.depth = depthBelow(colour + 1 - open, nearest / W.h, line.theta);
+        const WallSurfacesView& surfaces = completion.walls.surfaces;
+        if (line.wall < surfaces.count && surfaces.surface[line.wall].type != WallSurface::plane)
+        {
+            line.theta = angleFromAfar(surfaces.surface[line.wall], xi, nearest, normal, line);
+            line.depth = depthBelow(colour + 1 - open, nearest / W.h, line.theta);
+        }
         return line;
+    }
+
+    // The angle at which the interface, at its contact angle to the wall where it meets it, meets the tangent plane of the
+    // wall below x: a curved wall turns in between.
+    HOST_DEVICE float angleFromAfar
+    (
+        const WallSurface& wall, Vec3 x, float distance, Vec3 normal, const ContactLine& line
+    ) const
+    {
+        const float sine = sinf(line.theta), cosine = cosf(line.theta);
+        const float along = (line.depth + distance * cosine) / fmaxf(sine, 0.1f);
+        const Vec3 there = wall(x + fminf(fmaxf(along, -W.h), W.h) * line.tangent - distance * normal).normal;
+        const Vec3 tangent = line.tangent - dot(line.tangent, there) * there;
+        const Vec3 interface = sine / fmaxf(norm(tangent), 1e-20f) * tangent + cosine * there;
+        return acosf(fminf(fmaxf(dot(interface, normal), -1), 1));
     }
 
     // The depth at which the wall's side of a planar interface would have that much colour in front of it.
@@ -143,7 +164,7 @@ void FreeSurface::update(const Liquid& liquid, const Neighbourhood& near, const 
     if (!active()) return;
     if (!extended_)
     {
-        const auto [smallest, largest] = walls.contactAngles();
+        const auto [smallest, largest] = walls.contactAngles(kernel_->h);
         extended_.emplace(*kernel_, smallest, largest, ExtendedLiquid::Value::kernel);
     }
     gradient_.resizeDiscarding(liquid.all());

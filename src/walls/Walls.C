@@ -263,15 +263,25 @@ void Walls::requireContacts(const Liquid& liquid, float reach)
     if (solid_.all() > 0 && support > near_->support()) sortParticles(support);
 }
 
-std::pair<double, double> Walls::contactAngles() const
+std::pair<double, double> Walls::contactAngles(float reach) const
 {
     constexpr double degree = 3.14159265358979323846 / 180;
-    if (!cosTheta_) return {90, 90};
+    double tilt = 0;
+    for (int a = 0; a < surfaces_.count; ++a)
+    {
+        const WallSurface& surface = surfaces_.surface[a];
+        if (surface.type != WallSurface::plane) tilt = std::max(tilt, double(reach / surface.radius) / degree);
+    }
+    const auto widened = [&](double least, double most)
+    {
+        return std::pair{std::max(least - tilt, 0.0), std::min(most + tilt, 180.0)};
+    };
+    if (!cosTheta_) return widened(90, 90);
     std::vector<float> cosines = cosTheta_->download();
     for (int a = 0; a < surfaces_.count; ++a) cosines.push_back(surfaces_.surface[a].cosTheta);
-    if (cosines.empty()) return {90, 90};
+    if (cosines.empty()) return widened(90, 90);
     const auto [least, most] = std::minmax_element(cosines.begin(), cosines.end());
-    return {std::acos(double(*most)) / degree, std::acos(double(*least)) / degree};
+    return widened(std::acos(double(*most)) / degree, std::acos(double(*least)) / degree);
 }
 
 // Equation (9) with equal masses: V_k = 1/sum_l W(x_k - x_l), l = k included.

@@ -149,6 +149,41 @@ TEST(FreeSurface, OfAWedgeAtItsContactAngleIsThatOfAHalfSpace)
     }
 }
 
+// On a ball whose surface turns by 2.9 degrees a spacing, a planar interface that meets it at the contact angle: the tangent
+// plane below a particle has the angle to the interface there, up to ten degrees off theta. The contact line is found from
+// the depth, which is good to 0.2 spacings, 0.6 degrees; 1.5 are allowed.
+TEST(FreeSurface, MeetsACurvedWallAtTheAngleOfItsContactLine)
+{
+    for (const double theta : {60.0, 90.0})
+    {
+        LiquidCase drop({.walls = "ball { type sphere; centre (0 0 -20e-3); radius 20e-3; liquid outside; }",
+                         .wettability = "ball { theta " + std::to_string(theta) + "; }"});
+        drop.walls.requireContactAngles();
+        drop.surface.require(drop.liquid, drop.walls, 4, 0);
+        const Vec3 m{float(std::sin(theta * degree)), 0, float(std::cos(theta * degree))}, centre{0, 0, -20};
+        std::vector<Vec3> points;
+        for (const Vec3 p : latticeBlock(26, 17, 18, 1, {-17.5f, -8, -7.5f}))
+        {
+            if (norm(p - centre) > 20.4f && dot(p, m) < -0.3f) points.push_back(p);
+        }
+        drop.place(points);
+        const auto surface = reconstructionOf(drop);
+        int compared = 0;
+        double most = 0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            const Vec3 x = points[i], foot = x - centre;
+            if (std::abs(x.y) > 0.1f || norm(foot) > 22.5f || dot(x, m) < -1.5f || x.x < -4) continue;
+            ++compared;
+            const double exact = std::acos(dot(m, foot) / norm(foot)) / degree;
+            most = std::max(most, std::abs(exact - theta));
+            EXPECT_NEAR(surface.contact[i].theta / degree, exact, 1.5) << theta << " " << x.x << " " << x.z;
+        }
+        EXPECT_GE(compared, 3) << theta;
+        EXPECT_GT(most, 4) << theta;            // what a wall taken as plane would miss by
+    }
+}
+
 // Where two walls meet below deep liquid there is no surface: both are full. The union's product is off by 1.5e-3 of the
 // density, some hundredths of the steepest slope.
 TEST(FreeSurface, IsNotInACornerFullOfLiquid)

@@ -121,7 +121,7 @@ public:
         if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
         if (!extended_)
         {
-            const auto [smallest, largest] = walls.contactAngles();
+            const auto [smallest, largest] = walls.contactAngles(surface_.support());
             extended_.emplace(liquid.kernel(), smallest, largest, ExtendedLiquid::Value::kernel);
         }
         increase_.resizeDiscarding(liquid.all());

@@ -222,7 +222,7 @@ private:
             const float s = 0.5f * (low + high);
             (view(s).gradient > nearSurface * surface_.steepest() ? low : high) = s;
         }
-        const auto [smallest, largest] = walls.contactAngles();
+        const auto [smallest, largest] = walls.contactAngles(W.h);
         extended_.emplace(W, smallest, largest, ExtendedLiquid::Value::alongInterface, low / W.h);
     }
 
