@@ -33,14 +33,7 @@ struct Smooth
         Vec3 sum;
         near.forEach(i, [&](int j) { sum += W.W(norm(xi - x[j])) * (velocity[j] - ui); });
         sum = volume * sum;
-        if (noSlip)
-        {
-            sum -= walls.surfaces.density(xi).value * ui;
-            walls.particles.near.forEach(i, [&](int k)
-            {
-                sum -= walls.particles.volume[k] * W.W(norm(xi - walls.particles.position[k])) * ui;
-            });
-        }
+        if (noSlip) sum -= walls.density(i, xi, W) * ui;
         smoothed[i] = ui + c * sum;
     }
 };
