@@ -5,6 +5,7 @@
 #include <boost/math/tools/roots.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <numbers>
 
 namespace shizuku::test
