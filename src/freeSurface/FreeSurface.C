@@ -15,7 +15,9 @@ struct Reconstruct
     WendlandC2 W;
     float volume;                           // V/S
     Span<const Vec3> x;
+    NeighbourSearch wide;
     NeighbourView near;
+    std::uint32_t leastInside;              // neighbours in `near`: fewer have those at the surface
     WallCompletion completion;
     HalfSpaceView plane;
     Span<const float> depthOfRatio;
@@ -27,10 +29,18 @@ struct Reconstruct
 
     HOST_DEVICE void operator()(int i) const
     {
+        lowestPressure[i] = -suction;
+        if (isDeep(i))
+        {
+            contact[i] = {};
+            gradient[i] = {};
+            depth[i] = W.h;
+            return;
+        }
         const Vec3 xi = x[i];
         float colour = W.W(0);
         Vec3 G;
-        near.forEach(i, [&](int j)
+        wide.forEach(i, [&](int j)
         {
             const Vec3 r = xi - x[j];
             const float distance = norm(r);
@@ -46,11 +56,19 @@ struct Reconstruct
         G += wall.gradient;
         contact[i] = line;
         gradient[i] = G;
-        lowestPressure[i] = -suction;
         depth[i] = depthOf(norm(G) / colour * W.h);
     }
 
 private:
+    // All around there is liquid that has liquid all around: the surface is farther than the density's support.
+    HOST_DEVICE bool isDeep(int i) const
+    {
+        if (near.count[i] < leastInside) return false;
+        bool deep = true;
+        near.forEach(i, [&](int j) { deep = deep && near.count[j] >= leastInside; });
+        return deep;
+    }
+
     HOST_DEVICE ContactLine findContact(int i, Vec3 xi, float colour, Vec3 G) const
     {
         ContactLine line;
@@ -124,6 +142,14 @@ private:
     }
 };
 
+// 0.7 of what a full neighbourhood holds on the average. A layer of the cubic lattice at a surface has half of it; the next
+// one, 1.5 spacings below, 0.8 and more.
+std::uint32_t leastInside(const Liquid& liquid)
+{
+    const float supports = liquid.support() / liquid.spacing();
+    return std::uint32_t(0.7f * 4.18879f * supports * supports * supports);
+}
+
 }
 
 void FreeSurface::require(const Liquid& liquid, Walls& walls, float support, float suction)
@@ -173,7 +199,8 @@ void FreeSurface::update(const Liquid& liquid, const Neighbourhood& near, const 
     lowestPressure_.resizeDiscarding(liquid.all());
     forEach(liquid.owned(), Reconstruct
     {
-        *kernel_, liquid.particleVolume() / latticeSum_, liquid.predicted.span(), near.wide(),
+        *kernel_, liquid.particleVolume() / latticeSum_, liquid.predicted.span(), near.wide(liquid), near.view(),
+        leastInside(liquid),
         {extended_->view(), kernel_->h, walls.view()}, {plane_.span(), kernel_->h}, depthOfRatio_.span(), largestRatio_,
         suction_, gradient_.span(), depth_.span(), contact_.span(), lowestPressure_.span()
     });

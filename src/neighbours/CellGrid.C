@@ -39,10 +39,16 @@ struct FindStarts
 
 }
 
+CellGrid::CellGrid(float cellSize, float reach) : cellSize_(cellSize), leastBits_(1)
+{
+    const std::uint32_t mostVisited = std::uint32_t(2.01f * reach / cellSize) + 2;
+    while ((1u << leastBits_) < mostVisited) ++leastBits_;
+}
+
 void CellGrid::chooseSize(int n)
 {
     // About one cell a particle: a full cell holds eight or more, so liquid spread thinly still finds room.
-    std::uint32_t bits = 6;
+    std::uint32_t bits = 3 * leastBits_;
     while (bits < 27 && (1u << bits) < std::uint32_t(n)) ++bits;
     bitsX_ = (bits + 2) / 3;
     bitsY_ = (bits + 1) / 3;
@@ -52,7 +58,7 @@ void CellGrid::chooseSize(int n)
 
 CellGridView CellGrid::view() const
 {
-    return {cellSize_, bitsX_, bitsY_, bitsZ_, start_.span()};
+    return {cellSize_, 1 / cellSize_, bitsX_, bitsY_, bitsZ_, start_.span()};
 }
 
 const Buffer<std::uint32_t>& CellGrid::build(Span<const Vec3> positions, int n)

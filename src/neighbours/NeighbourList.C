@@ -8,42 +8,25 @@ namespace shizuku
 namespace
 {
 
-struct SearchGrid
+struct Search
 {
     CellGridView grid;
     Span<const Vec3> points, sources;
-    float support2;
+    float support;
     bool sameSet;
 
     template<class Visit>
     HOST_DEVICE void forEachNeighbour(int i, Visit visit) const
     {
         const Vec3 p = points[i];
-        grid.forEachCandidate(p, [&](int j)
+        const float support2 = support * support;
+        grid.forEachCandidate(p, support, [&](int j)
         {
             if (squared(p - sources[j]) < support2 && !(sameSet && i == j)) visit(j);
         });
     }
 };
 
-struct SearchList
-{
-    NeighbourView wider;
-    Span<const Vec3> points;
-    float support2;
-
-    template<class Visit>
-    HOST_DEVICE void forEachNeighbour(int i, Visit visit) const
-    {
-        const Vec3 p = points[i];
-        wider.forEach(i, [&](int j)
-        {
-            if (squared(p - points[j]) < support2) visit(j);
-        });
-    }
-};
-
-template<class Search>
 struct CountNeighbours
 {
     Search search;
@@ -74,7 +57,6 @@ struct LongestOfGroup
     }
 };
 
-template<class Search>
 struct StoreNeighbours
 {
     Search search;
@@ -95,27 +77,17 @@ struct StoreNeighbours
 
 }
 
-template<class Search>
-void NeighbourList::collect(int n, const Search& search)
+void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
 {
+    const Search search{grid.view(), points, sources, support_, sameSet};
     const int groups = (n + device::interleave - 1) / device::interleave;
     count_.resizeDiscarding(n);
     groupLength_.resizeDiscarding(groups);
-    forEach(n, CountNeighbours<Search>{search, count_.span()});
+    forEach(n, CountNeighbours{search, count_.span()});
     forEach(groups, LongestOfGroup{count_.span(), groupLength_.span()});
     entries_ = exclusiveScan(groupLength_, start_, "neighbours");
     index_.resizeDiscarding(int(entries_));
-    forEach(n, StoreNeighbours<Search>{search, start_.span(), index_.span()});
-}
-
-void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
-{
-    collect(n, SearchGrid{grid.view(), points, sources, support_ * support_, sameSet});
-}
-
-void NeighbourList::buildWithin(const NeighbourList& wider, Span<const Vec3> points, int n)
-{
-    collect(n, SearchList{wider.view(), points, support_ * support_});
+    forEach(n, StoreNeighbours{search, start_.span(), index_.span()});
 }
 
 }

@@ -1,5 +1,7 @@
 #include "neighbours/Neighbourhood.H"
 
+#include <algorithm>
+
 namespace shizuku
 {
 
@@ -7,17 +9,14 @@ Neighbourhood::Neighbourhood(const Liquid& liquid) : grid_(liquid.support()), li
 
 void Neighbourhood::update(Liquid& liquid, float wideSupport)
 {
-    if (wideSupport != (wide_ ? wide_->support() : 0))
+    if (wideSupport != wideSupport_)
     {
-        grid_ = CellGrid(std::max(liquid.support(), wideSupport));
-        wide_.reset();
-        if (wideSupport > 0) wide_.emplace(wideSupport);
+        grid_ = CellGrid(liquid.support(), std::max(liquid.support(), wideSupport));
+        wideSupport_ = wideSupport;
     }
     liquid.fields().reorder(grid_.build(liquid.predicted.span(), liquid.all()));
     const Span<const Vec3> points = liquid.predicted.span();
-    if (!wide_) return list_.build(points, liquid.owned(), grid_, points, true);
-    wide_->build(points, liquid.owned(), grid_, points, true);
-    list_.buildWithin(*wide_, points, liquid.owned());
+    list_.build(points, liquid.owned(), grid_, points, true);
 }
 
 }

@@ -60,7 +60,7 @@ struct Indicator
     {
         float sum = 0;
         const float support2 = W.h * W.h;
-        grid.forEachCandidate(x, [&](int j)
+        grid.forEachCandidate(x, W.h, [&](int j)
         {
             const float r2 = squared(x - particles[j]);
             if (r2 < support2) sum += W.W(sqrtf(r2));
@@ -73,7 +73,7 @@ struct Indicator
         float sum = 0;
         Vec3 slope;
         const float support2 = W.h * W.h;
-        grid.forEachCandidate(x, [&](int j)
+        grid.forEachCandidate(x, W.h, [&](int j)
         {
             const Vec3 r = x - particles[j];
             const float r2 = squared(r);

@@ -146,7 +146,7 @@ TEST(Models, WithoutAFreeSurfaceLeaveItIdle)
         EXPECT_EQ(drop.walls.view().planes.normal.size > 0, surface);
 
         drop.near.update(drop.liquid, models.freeSurface->support());
-        EXPECT_EQ(drop.near.wide().count.size > 0, surface);
+        EXPECT_EQ(drop.near.wide(drop.liquid).support > 0, surface);
         const DeviceCounters before = deviceCounters();
         models.freeSurface->update(drop.liquid, drop.near, drop.walls);
         EXPECT_EQ(deviceCounters().launches > before.launches, surface);

@@ -57,7 +57,7 @@ struct Curvature
     WendlandC2 W;
     float volume, largest;
     Span<const Vec3> x, normal;
-    NeighbourView near;
+    NeighbourSearch near;
     FreeSurfaceView surface;
     ExtendedLiquidView extended;
     WallView walls;
@@ -101,7 +101,7 @@ struct Smooth
     WendlandC2 W;
     Span<const Vec3> x, normal;
     Span<const float> curvature;
-    NeighbourView near;
+    NeighbourSearch near;
     FreeSurfaceView surface;
     float sigma, restDensity;
     Span<float> lowestPressure;
@@ -190,12 +190,12 @@ public:
         forEach(liquid.owned(), Normal{view, nearSurface * surface_.steepest(), normal_.span()});
         forEach(liquid.owned(), Curvature
         {
-            W, liquid.particleVolume(), sharpest / liquid.spacing(), x, normal_.span(), near.wide(), view,
+            W, liquid.particleVolume(), sharpest / liquid.spacing(), x, normal_.span(), near.wide(liquid), view,
             extended_->view(), walls.view(), curvature_.span()
         });
         forEach(liquid.owned(), Smooth
         {
-            W, x, normal_.span(), curvature_.span(), near.wide(), view, sigma_, liquid.restDensity(),
+            W, x, normal_.span(), curvature_.span(), near.wide(liquid), view, sigma_, liquid.restDensity(),
             surface_.lowestPressure(), acceleration.span()
         });
         if (walls.particles() == 0 && walls.surfaces() == 0) balance(liquid, acceleration);
