@@ -14,6 +14,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/PointsInside.C
     geometry/ProfileFit.C
     geometry/SolidParticles.C
+    geometry/SmoothMesh.C
     geometry/SphereFit.C
     geometry/StlFile.C
     geometry/TriangleMesh.C

@@ -2,17 +2,20 @@
 
 #include "core/fieldFile/AtomicFile.H"
 #include "core/messages/Error.H"
+#include "geometry/SmoothMesh.H"
 #include "vtk/StudioFloor.H"
 #include "vtk/VtkConversion.H"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCleanPolyData.h>
+#include <vtkDiskSource.h>
 #include <vtkFloatArray.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
 #include <vtkImageShrink3D.h>
 #include <vtkLight.h>
+#include <vtkLineSource.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkOpenGLRenderer.h>
@@ -32,13 +35,15 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkTexture.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
+#include <vtkTubeFilter.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <array>
 #include <numbers>
-
 
 namespace shizuku
 {
@@ -53,11 +58,13 @@ struct Stage
 {
     Vector3 centre;                     // m
     double radius = 0;                  // m
-    Vector3 up, right, front;           // unit vectors; front points at the viewer
+    Vector3 up, right, front;           // unit vectors; front points at the viewer, but for his elevation
 
-    Stage(const std::vector<Vector3>& points, const Vector3& upward) : up(upward)
+    Stage(const std::vector<Vector3>& points, const Vector3& upward, const PictureView& view) : up(upward)
     {
-        right = perpendicular(up);
+        const Vector3 east = perpendicular(up), south = cross(east, up);
+        const double turn = view.azimuth*std::numbers::pi/180;
+        right = std::cos(turn)*east - std::sin(turn)*south;
         front = cross(right, up);
         Vector3 low = points.front(), high = low;
         for (const Vector3& p : points)
@@ -68,7 +75,7 @@ struct Stage
                 high[axis] = std::max(high[axis], p[axis]);
             }
         }
-        centre = 0.5*(low + high);
+        centre = view.centre.value_or(0.5*(low + high));
         for (const Vector3& p : points) radius = std::max(radius, length(p - centre));
     }
 
@@ -90,7 +97,7 @@ struct Panel
     }
 };
 
-// A photographer's studio as the surroundings that water mirrors: a pale floor, walls that darken upwards, two panels.
+// A photographer's studio as the surroundings that water mirrors: a floor, walls that darken upwards, two panels.
 vtkSmartPointer<vtkTexture> studioSurroundings()
 {
     constexpr int width = 256, height = 128;
@@ -104,7 +111,7 @@ vtkSmartPointer<vtkTexture> studioSurroundings()
         {
             const double elevation = (double(row)/(height - 1) - 0.5)*180, azimuth = double(column)/width*360;
             double light = elevation < 0
-                ? 0.55 + 0.25*std::min(1.0, -elevation/60)
+                ? 0.55 - 0.4*std::min(1.0, -elevation/40)       // the liquid's own shadow
                 : 0.75 - 0.5*std::min(1.0, elevation/70);
             for (const Panel& panel : panels) light += panel.lightAt(azimuth, elevation);
             auto* pixel = static_cast<float*>(image->GetScalarPointer(column, row, 0));
@@ -135,17 +142,10 @@ void addSurroundings(vtkOpenGLRenderer& renderer, const Stage& stage)
 
 vtkSmartPointer<vtkActor> waterActor(const TriangleMesh& mesh)
 {
-    vtkSmartPointer<vtkPolyData> surface = toPolyData(mesh);
+    // Mirror images would show more of the particles' pattern than of the liquid's shape.
+    constexpr int positionPasses = 10, normalPasses = 15;
     vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<vtkPolyDataNormals> normals;
-    if (mesh.normals.empty())
-    {
-        normals->SetInputData(surface);
-        normals->SplittingOff();
-        normals->ConsistencyOff();
-        mapper->SetInputConnection(normals->GetOutputPort());
-    }
-    else mapper->SetInputData(surface);
+    mapper->SetInputData(toPolyData(smoothMesh(mesh, positionPasses, normalPasses)));
     mapper->ScalarVisibilityOff();
 
     const auto actor = vtkSmartPointer<vtkActor>::New();
@@ -208,6 +208,50 @@ void addMatteSurface(vtkRenderer& renderer, const TriangleMesh& mesh)
     actor->GetProperty()->SetAmbient(0.25);
     actor->GetProperty()->SetDiffuse(0.75);
     renderer.AddActor(actor);
+}
+
+// Clear glass with a bright rim; what is behind it is drawn before.
+void addGlass(vtkRenderer& renderer, const GlassTube& tube)
+{
+    constexpr double thickness = 0.04;      // of the radius
+    const Vector3 top = tube.base + tube.length*tube.axis;
+    vtkNew<vtkLineSource> axis;
+    axis->SetPoint1(tube.base.x, tube.base.y, tube.base.z);
+    axis->SetPoint2(top.x, top.y, top.z);
+    vtkNew<vtkTubeFilter> side;
+    side->SetInputConnection(axis->GetOutputPort());
+    side->SetRadius((1 + thickness)*tube.radius);
+    side->SetNumberOfSides(180);
+    side->CappingOff();
+
+    vtkNew<vtkDiskSource> ring;
+    ring->SetInnerRadius(tube.radius);
+    ring->SetOuterRadius((1 + thickness)*tube.radius);
+    ring->SetCircumferentialResolution(180);
+    const Vector3 hinge = cross(Vector3(0, 0, 1), tube.axis);
+    vtkNew<vtkTransform> place;
+    place->Translate(top.x, top.y, top.z);
+    if (length(hinge) > 0) place->RotateWXYZ(std::acos(tube.axis.z)*180/std::numbers::pi, hinge.x, hinge.y, hinge.z);
+    vtkNew<vtkTransformPolyDataFilter> rim;
+    rim->SetInputConnection(ring->GetOutputPort());
+    rim->SetTransform(place);
+
+    const auto add = [&](vtkAlgorithmOutput* surface, double opacity)
+    {
+        vtkNew<vtkPolyDataMapper> mapper;
+        mapper->SetInputConnection(surface);
+        vtkNew<vtkActor> actor;
+        actor->SetMapper(mapper);
+        actor->GetProperty()->SetColor(0.86, 0.93, 0.96);
+        actor->GetProperty()->SetAmbient(0.6);
+        actor->GetProperty()->SetDiffuse(0.4);
+        actor->GetProperty()->SetSpecular(0.6);
+        actor->GetProperty()->SetSpecularPower(60);
+        actor->GetProperty()->SetOpacity(opacity);
+        renderer.AddActor(actor);
+    };
+    add(side->GetOutputPort(), 0.16);
+    add(rim->GetOutputPort(), 0.7);
 }
 
 // Discs on the floor, blue where it wets best and light where least; the floor's shadow shines through.
@@ -302,14 +346,31 @@ void addLight(vtkRenderer& renderer, const Stage& stage, const Vector3& towards,
     renderer.AddLight(light);
 }
 
-void aimCamera(vtkRenderer& renderer, const Stage& stage, const PictureView& view)
+// Half the height of what is seen at the stage's centre [m].
+double halfHeight(const Stage& stage, const std::vector<Vector3>& seen, const PictureView& view, double elevation)
+{
+    const double aspect = double(view.width)/view.height;
+    if (view.extent) return *view.extent/(2*aspect);
+    constexpr double filled = 0.64;     // of the picture, by the liquid
+    const Vector3 viewUp = std::cos(elevation)*stage.up - std::sin(elevation)*stage.front;
+    double half = 0;
+    for (const Vector3& p : seen)
+    {
+        half = std::max(half, std::abs(dot(p - stage.centre, viewUp)));
+        half = std::max(half, std::abs(dot(p - stage.centre, stage.right))/aspect);
+    }
+    return half/filled;
+}
+
+void aimCamera
+(
+    vtkRenderer& renderer, const Stage& stage, const std::vector<Vector3>& seen, const PictureView& view
+)
 {
     using Kind = PictureView::Kind;
     const double elevation = (view.kind == Kind::side ? 3 : view.kind == Kind::above ? 55 : 20)*std::numbers::pi/180;
     const double opening = 24;      // degrees, of the picture's height
-    const double room = 1.15;       // how much larger than the stage the picture's smaller side is
-    const double aspect = std::min(1.0, double(view.width)/view.height);
-    const double distance = room*stage.radius/(std::tan(opening/2*std::numbers::pi/180)*aspect);
+    const double distance = halfHeight(stage, seen, view, elevation)/std::tan(opening/2*std::numbers::pi/180);
     const Vector3 position = stage.centre + distance*stage.direction(0, std::sin(elevation), std::cos(elevation));
 
     vtkCamera& camera = *renderer.GetActiveCamera();
@@ -320,12 +381,12 @@ void aimCamera(vtkRenderer& renderer, const Stage& stage, const PictureView& vie
     renderer.ResetCameraClippingRange();
 }
 
-void addCaption(vtkRenderer& renderer, const std::string& text, int height)
+void addCaption(vtkRenderer& renderer, const std::string& text, int fontSize)
 {
     vtkNew<vtkTextActor> caption;
     caption->SetInput(text.c_str());
     caption->GetTextProperty()->SetFontFamilyToArial();
-    caption->GetTextProperty()->SetFontSize(std::max(10, height/38));
+    caption->GetTextProperty()->SetFontSize(std::max(10, fontSize));
     caption->GetTextProperty()->SetColor(0.15, 0.2, 0.25);
     caption->GetTextProperty()->SetLineSpacing(1.2);
     caption->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
@@ -360,7 +421,7 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
 {
     const std::vector<Vector3>& seen = scene.liquid.vertices.empty() ? scene.particles : scene.liquid.vertices;
     if (seen.empty()) throw FatalError("There is no liquid to be seen in " + file.string());
-    const Stage stage(seen, scene.up);
+    const Stage stage(seen, scene.up, view);
 
     vtkNew<vtkOpenGLRenderer> renderer;
     renderer->GradientBackgroundOn();
@@ -384,14 +445,15 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
         renderer->AddActor(studioFloor(*scene.floor, scene.liquid, stage.centre, stage.radius, -keyLight));
     }
     if (scene.floor && !scene.pattern.empty()) addPattern(*renderer, scene);
-    if (!scene.caption.empty()) addCaption(*renderer, scene.caption, oversampling*view.height);
+    for (const GlassTube& tube : scene.glass) addGlass(*renderer, tube);
+    if (!scene.caption.empty()) addCaption(*renderer, scene.caption, oversampling*view.width/60);
 
     vtkNew<vtkRenderWindow> window;
     window->SetOffScreenRendering(1);
     window->SetMultiSamples(0);
     window->SetSize(oversampling*view.width, oversampling*view.height);
     window->AddRenderer(renderer);
-    aimCamera(*renderer, stage, view);
+    aimCamera(*renderer, stage, seen, view);
     window->Render();
     writePng(*window, file);
 }

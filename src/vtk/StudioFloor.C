@@ -17,7 +17,7 @@ namespace shizuku
 namespace
 {
 
-constexpr int pixels = 1024;
+constexpr int pixels = 2048;
 constexpr double extent = 7;            // half width of the floor in radii of the liquid
 constexpr double darkest = 0.55;        // part of the light that a full shadow takes
 constexpr double contactDarkness = 0.35;
@@ -36,10 +36,10 @@ vtkSmartPointer<vtkTexture> floorTexture(const PlaneImage& shadow, const PlaneIm
             const double x = 2.0*column/(shadow.size - 1) - 1, y = 2.0*row/(shadow.size - 1) - 1;
             const double fade = std::clamp((1 - std::hypot(x, y))/0.6, 0.0, 1.0);
             auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(column, row, 0));
-            pixel[0] = static_cast<unsigned char>(236*light);
-            pixel[1] = static_cast<unsigned char>(234*light);
-            pixel[2] = static_cast<unsigned char>(230*light);
-            pixel[3] = static_cast<unsigned char>(255*fade*fade*(3 - 2*fade));
+            pixel[0] = static_cast<unsigned char>(0.5 + 236*light);
+            pixel[1] = static_cast<unsigned char>(0.5 + 234*light);
+            pixel[2] = static_cast<unsigned char>(0.5 + 230*light);
+            pixel[3] = static_cast<unsigned char>(0.5 + 255*fade*fade*(3 - 2*fade));
         }
     }
     const auto texture = vtkSmartPointer<vtkTexture>::New();
@@ -64,8 +64,10 @@ vtkSmartPointer<vtkActor> studioFloor
     shadow.halfWidth = extent*radius;
     shadow.size = pixels;
     PlaneImage contact = shadow;        // where light from all sides is held off
-    castShadow(shadow, liquid, light, 0.25*radius);
-    castShadow(contact, liquid, -plane.normal, 0.12*radius);
+    double height = 0;                  // what is flat casts a narrow shadow
+    for (const Vector3& vertex : liquid.vertices) height = std::max(height, plane.distance(vertex));
+    castShadow(shadow, liquid, light, std::min(0.25*radius, 0.5*height));
+    castShadow(contact, liquid, -plane.normal, std::min(0.12*radius, 0.25*height));
 
     const Vector3 corner = shadow.centre - shadow.halfWidth*(shadow.right + shadow.up);
     const Vector3 alongRight = corner + 2*shadow.halfWidth*shadow.right;

@@ -209,6 +209,25 @@ TEST_F(DropCase, RenderCaseShowsThePatternOfAFloor)
     EXPECT_NEAR(difference(), 0, 5);
 }
 
+// The drop is 2 mm wide and stands at x = -1.5 mm: a tenth of a picture 20 mm wide, in the middle or where `centre` puts it.
+TEST_F(DropCase, RenderCaseLooksWhereItIsTold)
+{
+    writeTime("0", {drop(90)});
+    constexpr double water = 60, none = 40;             // as above
+    ASSERT_EQ(call("renderCase", "-size 160x100 -width 0.02 -azimuth 70").status, 0);
+    const Picture small(path()/"case.png");
+    EXPECT_GT(small.blueness(0.5, 0.5), water);
+    EXPECT_LT(small.blueness(0.4, 0.5), none);
+    ASSERT_EQ(call("renderCase", "-size 160x100 -width 0.02 -centre '(3e-3 0 5e-4)'").status, 0);
+    const Picture beside(path()/"case.png");
+    EXPECT_LT(beside.blueness(0.5, 0.5), none);
+    EXPECT_GT(beside.blueness(0.5 - 4.5/20, 0.5), water);
+    for (const std::string bad : {"-width 0", "-width -1", "-centre '(0 0)'", "-centre '(0 0 a)'", "-azimuth a"})
+    {
+        EXPECT_NE(call("renderCase", bad).status, 0) << bad;
+    }
+}
+
 TEST_F(DropCase, RenderCaseShowsParticlesWhereThereIsNoSurface)
 {
     writeTime("0", {drop(90)}, false);

@@ -14,7 +14,9 @@
 #include "vtk/Picture.H"
 #include "vtk/VirtualDisplay.H"
 
+#include <cmath>
 #include <iostream>
+#include <limits>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -62,6 +64,32 @@ PictureView readView(const Arguments& args)
             {}, "Option -size has the value '" + size + "'", "WIDTHxHEIGHT in pixels from 16 to 8192, e.g. 1600x1000"
         );
     }
+    view.azimuth = args.getDouble("azimuth");
+    if (args.found("centre"))
+    {
+        const std::vector<std::string> words = args.getList("centre");
+        std::size_t read = 0;
+        Vector3 centre;
+        for (std::size_t axis = 0; axis < words.size() && words.size() == 3; ++axis)
+        {
+            char* end = nullptr;
+            centre[int(axis)] = std::strtod(words[axis].c_str(), &end);
+            if (*end == 0 && std::isfinite(centre[int(axis)])) ++read;
+        }
+        if (read != 3)
+        {
+            throw FatalInputError
+            (
+                {}, "Option -centre has the value '" + args.get("centre") + "'", "a point in metres, e.g. '(0 0 1e-3)'"
+            );
+        }
+        view.centre = centre;
+    }
+    if (args.found("width"))
+    {
+        view.extent = args.getDouble("width");
+        if (!(*view.extent > 0)) throw FatalInputError({}, "Option -width is not positive", "metres, e.g. 0.01");
+    }
     return view;
 }
 
@@ -82,6 +110,20 @@ void addLiquid(PictureScene& scene, const TimeFolder& time)
     }
 }
 
+// A tube from the lowest liquid to a little above the highest.
+void addGlass(PictureScene& scene, const AnalyticSurface& tube)
+{
+    const std::vector<Vector3>& liquid = scene.liquid.vertices.empty() ? scene.particles : scene.liquid.vertices;
+    double low = std::numeric_limits<double>::max(), high = -low;
+    for (const Vector3& x : liquid)
+    {
+        low = std::min(low, dot(x - tube.point, tube.direction));
+        high = std::max(high, dot(x - tube.point, tube.direction));
+    }
+    const double above = 0.2*(high - low);
+    scene.glass.push_back({tube.point + low*tube.direction, tube.direction, high - low + above, tube.radius});
+}
+
 // The first plane wall is the floor. Other patches are shown by the surface that they were sampled from, or by their
 // particles where that is not there.
 void addWalls(PictureScene& scene, const std::filesystem::path& casePath)
@@ -94,6 +136,10 @@ void addWalls(PictureScene& scene, const std::filesystem::path& casePath)
         if (!plane) continue;
         if (!scene.floor) scene.floor = plane;
         shown.erase(name);
+    }
+    for (const AnalyticSurface& surface : walls.analytic)
+    {
+        if (surface.type == AnalyticSurface::Type::cylinder && surface.liquidInside) addGlass(scene, surface);
     }
     const CurvedWalls curved = readCurvedWalls(casePath, shown);
     scene.walls = curved.mesh;
@@ -143,6 +189,9 @@ int main(int argc, char** argv)
     std::vector<Option> options = timeSelectionOptions();
     options.push_back({"output", "FILE", "the PNG; default: <case>/<name of the case>.png", ""});
     options.push_back({"size", "WxH", "pixels", "1600x1000"});
+    options.push_back({"azimuth", "DEGREES", "walk of the viewer around the liquid, anticlockwise from above", "0"});
+    options.push_back({"centre", "(X Y Z)", "middle of what is seen, m; default: that of the liquid", ""});
+    options.push_back({"width", "METRES", "of what is seen there, e.g. to compare sizes; default: the liquid fills it", ""});
     options.push_back({"view", "side|perspective|above", "level, or looking down slightly or steeply", "perspective"});
     return runApplication
     (
