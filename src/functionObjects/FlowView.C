@@ -40,13 +40,24 @@ const std::vector<Vector3>& FlowView::positions()
     return *positions_;
 }
 
+LiquidSurface& FlowView::builtSurface()
+{
+    if (!mesher_) mesher_.emplace(readSurfaceParameters(time.casePath(), liquid_.spacing()));
+    if (surfaceIsDue_) mesher_->build({liquid_.position.span().data, liquid_.owned()});
+    surfaceIsDue_ = false;
+    return *mesher_;
+}
+
 const TriangleMesh& FlowView::surface()
 {
-    if (surface_) return *surface_;
-    if (!mesher_) mesher_.emplace(readSurfaceParameters(time.casePath(), liquid_.spacing()));
-    const Span<const Vec3> owned{liquid_.position.span().data, liquid_.owned()};
-    surface_ = toTriangleMesh(mesher_->extract(owned), liquid_.units().length);
+    if (!surface_) surface_ = toTriangleMesh(builtSurface().download(), liquid_.units().length);
     return *surface_;
+}
+
+double FlowView::surfaceVolume()
+{
+    const double unit = liquid_.units().length;
+    return builtSurface().volume() * unit * unit * unit;
 }
 
 void FlowView::moved(double dt)
@@ -56,6 +67,7 @@ void FlowView::moved(double dt)
     state_.reset();
     positions_.reset();
     surface_.reset();
+    surfaceIsDue_ = true;
 }
 
 }

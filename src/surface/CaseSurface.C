@@ -47,6 +47,9 @@ std::vector<std::string> readSurfaceFormats(const std::filesystem::path& casePat
 TriangleMesh toTriangleMesh(const SurfaceMesh& mesh, double unit)
 {
     TriangleMesh result;
+    result.vertices.reserve(mesh.vertices.size());
+    result.normals.reserve(mesh.normals.size());
+    result.faces.reserve(mesh.triangles.size() / 3);
     for (const Vec3& p : mesh.vertices) result.vertices.push_back({p.x * unit, p.y * unit, p.z * unit});
     for (const Vec3& n : mesh.normals) result.normals.push_back({n.x, n.y, n.z});
     for (std::size_t k = 0; k < mesh.triangles.size(); k += 3)

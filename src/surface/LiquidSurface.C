@@ -2,12 +2,11 @@
 
 #include "device/Algorithms.H"
 #include "device/Gather.H"
+#include "device/Reduce.H"
 #include "maths/Lattice.H"
 #include "neighbours/CellGrid.H"
 
-#include <algorithm>
 #include <numbers>
-#include <utility>
 
 namespace shizuku
 {
@@ -230,37 +229,64 @@ struct StoreTriangles
     }
 };
 
+// Of the tetrahedron of a triangle and the origin, negative where the triangle looks towards it: their sum over a closed mesh
+// is what it encloses.
+struct VolumeBelow
+{
+    Span<const Vec3> vertices;
+    Span<const std::uint32_t> triangles;
+
+    HOST_DEVICE EnclosedVolume operator()(int t) const
+    {
+        const Vec3 a = corner(3 * t), b = corner(3 * t + 1), c = corner(3 * t + 2);
+        const double x = double(b.y) * c.z - double(b.z) * c.y;
+        const double y = double(b.z) * c.x - double(b.x) * c.z;
+        const double z = double(b.x) * c.y - double(b.y) * c.x;
+        return {(a.x * x + a.y * y + a.z * z) / 6};
+    }
+
+    HOST_DEVICE Vec3 corner(int k) const { return vertices[int(triangles[k])]; }
+};
+
 }
 
 LiquidSurface::LiquidSurface(const SurfaceParameters& parameters)
 :
     kernel_(parameters.support), wideKernel_(wideSupport * parameters.support),
     volume_(volumeOf(parameters.spacing, kernel_)), wideVolume_(volumeOf(parameters.spacing, wideKernel_)),
-    grid_(kernel_.h), wideGrid_(wideKernel_.h),
+    grid_(kernel_.h, wideKernel_.h),
     blocks_(parameters.cell, parameters.support + parameters.cell),
     table_(std::vector<MarchingCubesTable>{makeMarchingCubesTable()})
 {}
 
-SurfaceMesh LiquidSurface::extract(const std::vector<Vec3>& positions)
+void LiquidSurface::build(Span<const Vec3> positions)
 {
-    given_.upload(positions);
-    return extract(std::as_const(given_).span());
-}
-
-SurfaceMesh LiquidSurface::extract(Span<const Vec3> positions)
-{
-    SurfaceMesh mesh;
-    if (positions.size == 0) return mesh;
+    vertices_.resizeDiscarding(0);
+    normals_.resizeDiscarding(0);
+    triangles_.resizeDiscarding(0);
+    if (positions.size == 0) return;
 
     gather(positions, grid_.build(positions, positions.size), particles_);
-    gather(positions, wideGrid_.build(positions, positions.size), wideParticles_);
     evaluateNodes();
     placeVertices();
     placeTriangles();
-    mesh.vertices = vertices_.download();
-    mesh.normals = normals_.download();
-    mesh.triangles = triangles_.download();
-    return mesh;
+}
+
+SurfaceMesh LiquidSurface::download() const
+{
+    return {vertices_.download(), normals_.download(), triangles_.download()};
+}
+
+double LiquidSurface::volume()
+{
+    return reduce(triangles_.size() / 3, VolumeBelow{vertices_.span(), triangles_.span()}, scratch_).value;
+}
+
+SurfaceMesh LiquidSurface::extract(const std::vector<Vec3>& positions)
+{
+    given_.upload(positions);
+    build(given_.span());
+    return download();
 }
 
 void LiquidSurface::evaluateNodes()
@@ -287,7 +313,7 @@ void LiquidSurface::placeVertices()
 
     const PlaneMoments moments(kernel_), wideMoments(wideKernel_);
     const float gain = float(moments.s2 / ((wideMoments.s2 - moments.s2) * wideMoments.slope));
-    const Indicator wide{wideKernel_, wideVolume_, wideGrid_.view(), wideParticles_.span()};
+    const Indicator wide{wideKernel_, wideVolume_, grid_.view(), particles_.span()};
     forEach(count, CorrectForCurvature{wide, gain, float(moments.s2) / kernel_.h, normals_.span(), vertices_.span()});
 }
 

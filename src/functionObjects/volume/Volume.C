@@ -30,7 +30,7 @@ public:
 
     void execute(FlowView& flow) override
     {
-        const double enclosed = flow.surface().volume();
+        const double enclosed = flow.surfaceVolume();
         const double particles = flow.liquid().owned() * flow.properties().particleVolume();
         table_.addRow
         ({

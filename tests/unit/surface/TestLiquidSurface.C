@@ -125,6 +125,21 @@ TEST(LiquidSurface, DoesNotDependOnWhatWasMeshedBefore)
     }
 }
 
+// Summed on the device or on the host: the same but for the order of additions in double. What was built before is forgotten.
+TEST(LiquidSurface, KnowsItsVolumeWithoutTheHost)
+{
+    LiquidSurface surface(parameters);
+    for (const Vec3 centre : {Vec3{0, 0, 0}, Vec3{40, -3, 7}})
+    {
+        const auto ball = latticeBall(6, centre);
+        surface.extract(ball);
+        EXPECT_NEAR(surface.volume() / meshOf(ball).volume(), 1, 1e-12);
+    }
+    surface.build({});
+    EXPECT_EQ(surface.volume(), 0);
+    EXPECT_TRUE(surface.download().triangles.empty());
+}
+
 TEST(LiquidSurface, RefusesParticlesThatFlewAway)
 {
     const auto message = messageOf<FatalError>([] { LiquidSurface(parameters).extract({{0, 0, 0}, {0, 1e8f, 0}}); });
