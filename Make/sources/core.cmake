@@ -18,6 +18,7 @@ set(SHIZUKU_CORE_SOURCES
     core/dictionary/Dimensions.C
     core/dictionary/EntryMerge.C
     core/dictionary/EntryPath.C
+    core/dictionary/EntryText.C
     core/dictionary/Expansion.C
     core/dictionary/ExpansionDirectives.C
     core/dictionary/ExpansionMacros.C
@@ -33,6 +34,7 @@ set(SHIZUKU_CORE_SOURCES
     core/fieldFile/FieldWriter.C
     core/fieldFile/FileBuffer.C
     core/fieldFile/FoamFileHeader.C
+    core/fieldFile/PostProcessing.C
     core/messages/Error.C
     core/messages/Progress.C
     core/time/Controls.C

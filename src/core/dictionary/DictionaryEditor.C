@@ -175,23 +175,30 @@ void DictionaryEditor::removeSpan(TextSpan span)
     replace(span, "");
 }
 
-void DictionaryEditor::failMissing(const std::string& path) const
+std::vector<std::string> DictionaryEditor::keywordsBeside(const std::string& path) const
 {
     const SplitPath split = splitPath(path);
     Tree syntax = syntax_;
-    const std::vector<Tree*> around =
-        split.dictionary.empty() ? std::vector<Tree*>{&syntax} : findEntries(syntax, split.dictionary);
     std::vector<std::string> keywords;
-    for (const Tree* dictionary : around)
+    for (const Tree* dictionary : split.dictionary.empty() ? std::vector<Tree*>{&syntax} : findEntries(syntax, split.dictionary))
     {
         for (const auto& [key, entry] : *dictionary)
         {
             if (!key.empty()) keywords.push_back(key);
         }
     }
+    return keywords;
+}
+
+void DictionaryEditor::failMissing(const std::string& path) const
+{
+    const SplitPath split = splitPath(path);
+    Tree syntax = syntax_;
+    const std::vector<Tree*> around =
+        split.dictionary.empty() ? std::vector<Tree*>{&syntax} : findEntries(syntax, split.dictionary);
     const SourceLocation where = around.empty() ? SourceLocation{name_, 0} : around.back()->data().where;
     throw FatalInputError(where, "Entry '" + path + "' is not written in " + name_, "an entry that is there",
-        keywords, split.keyword);
+        keywordsBeside(path), split.keyword);
 }
 
 }

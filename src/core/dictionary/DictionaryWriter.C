@@ -1,6 +1,7 @@
 #include "core/dictionary/DictionaryWriter.H"
 
 #include <algorithm>
+#include <sstream>
 
 namespace shizuku
 {
@@ -124,6 +125,15 @@ void writeValue(std::ostream& stream, const Tree& entry)
         writeItems(stream, entry, 0);
         stream << '\n';
     }
+}
+
+std::string valueText(const Tree& entry)
+{
+    std::ostringstream stream;
+    writeValue(stream, entry);
+    std::string text = stream.str();
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    return text;
 }
 
 }

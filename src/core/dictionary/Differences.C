@@ -3,22 +3,11 @@
 #include "core/dictionary/DictionaryNode.H"
 #include "core/dictionary/DictionaryWriter.H"
 
-#include <sstream>
-
 namespace shizuku
 {
 
 namespace
 {
-
-std::string valueOf(const Tree& entry)
-{
-    std::ostringstream stream;
-    writeValue(stream, entry);
-    std::string text = stream.str();
-    while (!text.empty() && text.back() == '\n') text.pop_back();
-    return text;
-}
 
 bool isDictionary(const Tree* entry)
 {
@@ -46,7 +35,7 @@ void compareEntries(Tree* before, Tree* after, const std::string& path, std::vec
 void compare(Tree* before, Tree* after, const std::string& path, std::vector<EntryChange>& changes)
 {
     if ((isDictionary(before) || !before) && (isDictionary(after) || !after)) return compareEntries(before, after, path, changes);
-    const std::string first = before ? valueOf(*before) : "absent", second = after ? valueOf(*after) : "absent";
+    const std::string first = before ? valueText(*before) : "absent", second = after ? valueText(*after) : "absent";
     if (first != second) changes.push_back({path, first, second});
 }
 

@@ -1,12 +1,11 @@
 #include "CaseResults.H"
 
 #include "core/dictionary/Dictionary.H"
-#include "core/time/TimeName.H"
+#include "core/fieldFile/PostProcessing.H"
 #include "geometry/CaseGravity.H"
 #include "geometry/LiquidFiles.H"
 #include "geometry/PlyFile.H"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -39,24 +38,7 @@ double CaseResults::capillarySpeed() const { return std::sqrt(sigma/(rho*radius(
 
 CsvTable CaseResults::table(const std::string& name, const std::string& file) const
 {
-    const fs::path folder = casePath_/"postProcessing"/name;
-    std::vector<std::pair<double, fs::path>> tables;
-    if (fs::is_directory(folder))
-    {
-        for (const auto& entry : fs::directory_iterator(folder))
-        {
-            const auto start = timeOfName(entry.path().filename().string());
-            if (start && fs::exists(entry.path()/file)) tables.emplace_back(*start, entry.path()/file);
-        }
-    }
-    if (tables.empty()) throw FatalInputError({folder.string(), 0}, "There is no table " + file, "one below a start time");
-    std::sort(tables.begin(), tables.end());
-    CsvTable result = CsvTable::read(tables.front().second);
-    for (auto next = tables.begin() + 1; next != tables.end(); ++next)
-    {
-        result.continueWith(CsvTable::read(next->second), "time");
-    }
-    return result;
+    return readTable(casePath_, name, file);
 }
 
 }

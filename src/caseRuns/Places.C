@@ -1,4 +1,4 @@
-#include "Places.H"
+#include "caseRuns/Places.H"
 
 #include "core/messages/Error.H"
 
@@ -48,6 +48,16 @@ std::vector<std::string> cudaDevices()
     return devices;
 }
 
+}
+
+std::vector<Option> placeOptions(int perDevice)
+{
+    return
+    {
+        {"device", "auto|cuda|cpu", "where the cases compute; handed to ./Allrun where it is given", "auto"},
+        {"jobs", "N", "cases at a time (default: the processor's cores; on GPUs -perDevice each)", ""},
+        {"perDevice", "N", "cases at a time on each GPU", std::to_string(perDevice)}
+    };
 }
 
 std::vector<Place> places(const Arguments& args)

@@ -1,6 +1,6 @@
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS      // else the JSON parser of Boost 1.74 remarks on its own placeholders
 
-#include "CaseRecord.H"
+#include "caseRuns/CaseRecord.H"
 
 #include "core/fieldFile/AtomicFile.H"
 #include "core/messages/Error.H"
@@ -32,7 +32,7 @@ CaseRecord readRecord(const std::filesystem::path& casePath)
         return
         {
             tree.get<std::string>("command"), tree.get<std::string>("status"), tree.get<int>("exit"),
-            tree.get<double>("seconds")
+            tree.get<double>("seconds"), tree.get("reason", std::string{})
         };
     }
     catch (const boost::property_tree::ptree_error& error)
@@ -49,6 +49,7 @@ void writeRecord(const std::filesystem::path& casePath, const CaseRecord& record
     tree.put("status", record.status);
     tree.put("exit", record.exit);
     tree.put("seconds", record.seconds);
+    if (!record.reason.empty()) tree.put("reason", record.reason);
     writeAtomically(recordFile(casePath), [&](std::ostream& stream) { write_json(stream, tree); });
 }
 

@@ -1,4 +1,4 @@
-#include "RunningCase.H"
+#include "caseRuns/RunningCase.H"
 
 #include "core/messages/Error.H"
 
@@ -82,6 +82,15 @@ RunningCase::RunningCase
 RunningCase::~RunningCase()
 {
     stop();
+}
+
+bool RunningCase::isBeingRun(const std::filesystem::path& casePath)
+{
+    const int log = ::open((casePath/"log.runCases").c_str(), O_WRONLY | O_CLOEXEC);
+    if (log < 0) return false;
+    const bool locked = ::flock(log, LOCK_EX | LOCK_NB) != 0;
+    ::close(log);
+    return locked;
 }
 
 bool RunningCase::ended()

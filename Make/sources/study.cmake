@@ -1,0 +1,19 @@
+# Paths below src/.
+set(SHIZUKU_CASE_RUNS_SOURCES
+    caseRuns/CaseRecord.C
+    caseRuns/CaseRuns.C
+    caseRuns/Places.C
+    caseRuns/RunningCase.C
+)
+
+set(SHIZUKU_STUDY_SOURCES
+    study/ComparisonRows.C
+    study/ErrorMeasure.C
+    study/Gnuplot.C
+    study/ParetoFront.C
+    study/RunCost.C
+    study/Stability.C
+    study/Study.C
+    study/StudyCase.C
+    study/StudyEngine.C
+)

@@ -1,0 +1,136 @@
+#include "SpeedAccuracyChart.H"
+
+#include "study/Gnuplot.H"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr std::array colours{"#1f6fb2", "#d9822b", "#3a9d5d", "#b23a48", "#7a5195", "#5c6b73", "#8c6d31", "#17becf", "#bc80bd"};
+
+bool drawable(const SpeedAccuracyPoint& point) { return std::isfinite(point.cost) && std::isfinite(point.error) && point.cost > 0; }
+
+// The choices but for that of the series: "1000, 0.5".
+std::string nameOf(const SpeedAccuracy& chart, const SpeedAccuracyPoint& point)
+{
+    std::string name;
+    for (std::size_t i = 0; i < point.choices.size(); ++i)
+    {
+        if (i != chart.series) name += (name.empty() ? "" : ", ") + point.choices[i];
+    }
+    return name;
+}
+
+// "particles, timeStep": what the names of points tell.
+std::string namedAxes(const Study& study, const SpeedAccuracy& chart)
+{
+    std::string names;
+    for (std::size_t i = 0; i < chart.shown.size(); ++i)
+    {
+        if (i != chart.series) names += (names.empty() ? "" : ", ") + study.axes[chart.shown[i]].name;
+    }
+    return names;
+}
+
+void addBlock(std::ostream& stream, const std::string& name, const std::vector<std::string>& rows)
+{
+    stream << '$' << name << " << END\n";
+    for (const std::string& row : rows) stream << row << '\n';
+    stream << "END\n";
+}
+
+std::string row(double cost, double error, const std::string& name)
+{
+    std::ostringstream text;
+    text.precision(9);
+    text << cost << ' ' << error << ' ' << quotedForGnuplot(name);
+    return text.str();
+}
+
+}
+
+void writePoints
+(
+    const std::filesystem::path& file, const Study& study, const SpeedAccuracy& chart,
+    const std::vector<SpeedAccuracyPoint>& points
+)
+{
+    std::vector<CsvFile::Column> columns;
+    for (const std::size_t axis : chart.shown) columns.push_back({study.axes[axis].name, ""});
+    for (const char* const name : {"cost", "error", "runs", "withoutError", "front", "source"}) columns.push_back({name, ""});
+    CsvFile table(file, columns);
+    for (const SpeedAccuracyPoint& point : points)
+    {
+        std::vector<CsvFile::Cell> cells(point.choices.begin(), point.choices.end());
+        cells.insert(cells.end(), {point.cost, point.error, double(point.runs), double(point.failed), point.front ? "yes" : "no", "this study"});
+        table.addRow(cells);
+    }
+    for (const ReferencePoint& point : chart.references)
+    {
+        std::vector<CsvFile::Cell> cells(chart.shown.size(), "-");
+        cells.insert(cells.end(), {point.cost, point.error, std::nan(""), std::nan(""), "-", point.source});
+        table.addRow(cells);
+    }
+    table.write();
+    std::cout << "Table: " << file.string() << '\n';
+}
+
+void drawPoints
+(
+    const std::filesystem::path& file, const Study& study, const SpeedAccuracy& chart,
+    const std::vector<SpeedAccuracyPoint>& points
+)
+{
+    if (std::none_of(points.begin(), points.end(), drawable))
+    {
+        std::cout << "Leaving out the chart: no point has both an error and a cost\n";
+        return;
+    }
+    std::ostringstream commands;
+    const StudyAxis& series = study.axes[chart.shown[chart.series]];
+    std::vector<std::string> plots, front;
+    for (std::size_t i = 0; i < series.choices.size(); ++i)
+    {
+        std::vector<std::string> rows;
+        for (const SpeedAccuracyPoint& point : points)
+        {
+            if (point.choices[chart.series] != series.choices[i].name || !drawable(point)) continue;
+            rows.push_back(row(point.cost, std::max(point.error, chart.least), ""));
+            if (point.front) front.push_back(row(point.cost, std::max(point.error, chart.least), nameOf(chart, point)));
+        }
+        if (rows.empty()) continue;
+        const std::string block = "series" + std::to_string(i);
+        addBlock(commands, block, rows);
+        plots.push_back("$" + block + " using 1:2 with points pt 7 ps 1.1 lc rgb \"" + colours[i%colours.size()] + "\" title "
+                      + quotedForGnuplot(series.choices[i].name));
+    }
+    std::sort(front.begin(), front.end(), [](const std::string& a, const std::string& b) { return std::stod(a) < std::stod(b); });
+    addBlock(commands, "front", front);
+    plots.push_back("$front using 1:2 with linespoints pt 6 ps 2 lw 1.5 lc rgb \"#333333\" title \"Pareto front, named by "
+                  + namedAxes(study, chart) + "\"");
+    plots.push_back("$front using 1:2:3 with labels left offset 0.9,0.6 font \",8\" notitle");
+    if (!chart.references.empty())
+    {
+        std::vector<std::string> rows;
+        for (const ReferencePoint& point : chart.references) rows.push_back(row(point.cost, std::max(point.error, chart.least), point.source));
+        addBlock(commands, "references", rows);
+        plots.push_back("$references using 1:2 with points pt 4 ps 1.5 lw 2 lc rgb \"#000000\" title \"others, by their source\"");
+        plots.push_back("$references using 1:2:3 with labels right offset -1,0 font \",8\" notitle");
+    }
+    commands << "set logscale xy; set grid lc rgb \"#dddddd\"; set offsets graph 0.05, graph 0.15, graph 0.05, graph 0.05\n"
+             << "set key outside below; set title " << quotedForGnuplot(chart.title) << '\n'
+             << "set xlabel \"" << (chart.cost == "wallTime" ? "time of computing for one simulated second [s]" : "particle-steps for one simulated second")
+             << "\"; set ylabel " << quotedForGnuplot(chart.label) << "\nset format x \"%g\"; set format y \"%g\"\nplot ";
+    for (std::size_t i = 0; i < plots.size(); ++i) commands << (i > 0 ? ", \\\n    " : "") << plots[i];
+    drawChart(file, commands.str());
+}
+
+}

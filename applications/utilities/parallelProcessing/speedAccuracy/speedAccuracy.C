@@ -1,0 +1,65 @@
+// speedAccuracy: runs a study over a grid of choices and draws the error over the cost of each.
+
+#include "SpeedAccuracyChart.H"
+
+#include "core/arguments/runApplication.H"
+
+#include <algorithm>
+#include <iostream>
+
+using namespace shizuku;
+
+namespace
+{
+
+ApplicationInfo info()
+{
+    return
+    {
+        "speedAccuracy",
+        "Runs the case of a study over a grid of choices, measures the error and the cost of each run, and draws the one over "
+        "the other with the Pareto front. The same command goes on after an interruption.",
+        studyOptions(),
+        {"study"},
+        false
+    };
+}
+
+void printFront(const Study& study, const SpeedAccuracy& chart, const std::vector<SpeedAccuracyPoint>& points)
+{
+    std::cout << "\nPareto front (";
+    for (const std::size_t axis : chart.shown) std::cout << study.axes[axis].name << ", ";
+    std::cout << "cost, error):\n";
+    for (const SpeedAccuracyPoint& point : points)
+    {
+        if (!point.front) continue;
+        std::cout << "   ";
+        for (const std::string& choice : point.choices) std::cout << ' ' << choice;
+        std::cout << ": " << point.cost << ", " << point.error << '\n';
+    }
+    std::cout << '\n';
+}
+
+void speedAccuracy(const Arguments& args)
+{
+    const Study study = readStudy(args);
+    const SpeedAccuracy chart(study);
+    study.dict.refuseUnused();
+    StudyEngine engine(study, args, chart);
+    engine.run();
+    if (args.found("prepare")) return;
+
+    const std::vector<SpeedAccuracyPoint> points = chart.points(engine.outcomes());
+    printFront(study, chart, points);
+    const std::filesystem::path output = studyOutput(args, study);
+    writePoints(output/"speedAccuracy.csv", study, chart, points);
+    drawPoints(output/"speedAccuracy", study, chart, points);
+    reportDeaths(engine.outcomes());
+}
+
+}
+
+int main(int argc, char** argv)
+{
+    return runApplication(argc, argv, info(), speedAccuracy);
+}

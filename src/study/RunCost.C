@@ -1,0 +1,55 @@
+#include "study/RunCost.H"
+
+#include "core/dictionary/Dictionary.H"
+#include "core/fieldFile/PostProcessing.H"
+
+#include <fstream>
+#include <limits>
+#include <regex>
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+// The solver reports some of its steps: "deltaT = 2.6e-05 s, 38 sub-steps, limited by capillary".
+void readLog(const std::filesystem::path& log, RunCost& cost)
+{
+    static const std::regex particles("Liquid particles (\\d+).*"), step("deltaT = (\\S+) s, (\\d+) sub-step.*");
+    double sum = 0;
+    long count = 0;
+    std::ifstream stream(log);
+    std::smatch match;
+    for (std::string line; std::getline(stream, line);)
+    {
+        if (std::regex_match(line, match, particles)) cost.particles = std::stod(match[1]);
+        else if (std::regex_match(line, match, step))
+        {
+            sum += std::stod(match[1]);
+            ++count;
+        }
+    }
+    if (count > 0) cost.subStep = sum/double(count);
+}
+
+}
+
+RunCost runCost(const std::filesystem::path& casePath, const std::string& functionObject)
+{
+    RunCost cost{unknown, unknown, unknown, unknown};
+    const Dictionary control = Dictionary::read(casePath/"system/controlDict");
+    readLog(casePath/("log." + control.lookupOr("application", std::string("pbfDroplet"))), cost);
+    cost.particleSteps = cost.particles/cost.subStep;
+    if (!std::filesystem::is_directory(casePath/"postProcessing"/functionObject)) return cost;
+
+    const CsvTable steps = readTable(casePath, functionObject, "stepTime.csv");
+    double wall = 0;
+    for (std::size_t row = 1; row < steps.rows(); ++row) wall += 1e-3*steps.number(row, "wall");
+    if (steps.rows() > 1) cost.wallTime = wall/(steps.number(steps.rows() - 1, "time") - steps.number(0, "time"));
+    return cost;
+}
+
+}

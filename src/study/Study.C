@@ -1,0 +1,215 @@
+#include "study/Study.H"
+
+#include "core/dictionary/EntryText.H"
+
+#include <algorithm>
+#include <cctype>
+
+namespace shizuku
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+StudyText textOf(const Dictionary& dict, const std::string& key)
+{
+    return {entryText(dict, key), dict.where(key)};
+}
+
+std::vector<StudyText> listOf(const Dictionary& dict, const std::string& key)
+{
+    std::vector<StudyText> texts;
+    if (!dict.found(key)) return texts;
+    for (const std::string& text : listTexts(dict, key)) texts.push_back({text, dict.where(key)});
+    return texts;
+}
+
+std::vector<std::pair<std::string, StudyText>> pairsOf(const Dictionary& dict, const std::string& key)
+{
+    std::vector<std::pair<std::string, StudyText>> pairs;
+    const Dictionary sub = dict.subDictOrEmpty(key);
+    for (const std::string& word : sub.keys()) pairs.emplace_back(word, textOf(sub, word));
+    return pairs;
+}
+
+CaseChoice readChoice(const std::string& name, const Dictionary& dict)
+{
+    CaseChoice choice{name, pairsOf(dict, "values"), listOf(dict, "layers"), pairsOf(dict, "folders"), {}};
+    const Dictionary set = dict.subDictOrEmpty("set");
+    for (const std::string& file : set.keys())
+    {
+        for (const auto& [entry, value] : pairsOf(set, file)) choice.entries.push_back({file, entry, value});
+    }
+    return choice;
+}
+
+// Names become folders: letters, digits and a few signs stay.
+std::string nameOf(std::string text)
+{
+    for (char& c : text)
+    {
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '+' && c != '-') c = '_';
+    }
+    return text;
+}
+
+StudyAxis readAxis(const Dictionary& axes, const std::string& name)
+{
+    StudyAxis axis{name, {}};
+    if (axes.isDict(name))
+    {
+        const Dictionary choices = axes.subDict(name);
+        for (const std::string& choice : choices.keys())
+        {
+            axis.choices.push_back(readChoice(nameOf(choice), choices.subDict(choice)));
+        }
+    }
+    else
+    {
+        for (const StudyText& value : listOf(axes, name))
+        {
+            axis.choices.push_back({nameOf(value.text), {{name, value}}, {}, {}, {}});
+        }
+    }
+    if (axis.choices.empty())
+    {
+        throw FatalInputError(axes.where(name), "Axis '" + name + "' has no choice: the grid is empty", "one at least, (a b c)");
+    }
+    for (std::size_t i = 0; i < axis.choices.size(); ++i)
+    {
+        for (std::size_t j = 0; j < i; ++j)
+        {
+            if (axis.choices[i].name != axis.choices[j].name) continue;
+            throw FatalInputError(axes.where(name), "Axis '" + name + "' has the choice '" + axis.choices[i].name + "' twice");
+        }
+    }
+    return axis;
+}
+
+void replaceValue(CaseChoice& choice, const std::string& word, const StudyText& value)
+{
+    const auto there = std::find_if
+    (
+        choice.values.begin(), choice.values.end(), [&](const auto& each) { return each.first == word; }
+    );
+    if (there == choice.values.end()) choice.values.emplace_back(word, value);
+    else there->second = value;
+}
+
+// -quick: other choices of the same axes, other values.
+void makeQuick(Study& study, const Dictionary& quick)
+{
+    const Dictionary axes = quick.subDictOrEmpty("axes");
+    for (const std::string& name : axes.keys())
+    {
+        const std::size_t axis = study.axis({name, axes.where(name)});
+        std::vector<CaseChoice> chosen;
+        for (const StudyText& choice : listOf(axes, name))
+        {
+            const auto& all = study.axes[axis].choices;
+            const bool isWord = !all.front().values.empty() && all.front().values.front().first == name;
+            const auto known = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == nameOf(choice.text); });
+            if (known != all.end() || !isWord) chosen.push_back(all[study.axes[axis].find(choice)]);
+            else chosen.push_back({nameOf(choice.text), {{name, choice}}, {}, {}, {}});
+        }
+        if (chosen.empty()) throw FatalInputError(axes.where(name), "Axis '" + name + "' has no choice: the grid is empty");
+        study.axes[axis].choices = chosen;
+    }
+    for (const auto& [word, value] : pairsOf(quick, "values")) replaceValue(study.common, word, value);
+}
+
+// Words that valuesFile does not have would change nothing.
+void checkWords(const Study& study)
+{
+    const Dictionary values = Dictionary::read(study.valuesFile);
+    const std::vector<std::string> known = values.keys();
+    const auto check = [&](const CaseChoice& choice)
+    {
+        for (const auto& [word, value] : choice.values)
+        {
+            if (values.found(word)) continue;
+            throw FatalInputError
+            (
+                value.where, "The case has no value '" + word + "'",
+                "a word that " + study.valuesFile.string() + " gives a default", known, word
+            );
+        }
+    };
+    check(study.common);
+    for (const StudyAxis& axis : study.axes)
+    {
+        for (const CaseChoice& choice : axis.choices) check(choice);
+    }
+}
+
+}
+
+std::size_t StudyAxis::find(const StudyText& choice) const
+{
+    std::vector<std::string> names;
+    for (const CaseChoice& each : choices) names.push_back(each.name);
+    const auto found = std::find(names.begin(), names.end(), nameOf(choice.text));
+    if (found != names.end()) return found - names.begin();
+    throw FatalInputError(choice.where, "Axis '" + name + "' has no choice '" + choice.text + "'", "one of its choices", names, choice.text);
+}
+
+Study Study::read(const fs::path& given, bool quick)
+{
+    const fs::path file = fs::is_directory(given) ? given/"studyDict" : given;
+    Study study;
+    study.dict = Dictionary::read(file);
+    study.folder = fs::absolute(file).lexically_normal().parent_path();
+    study.name = study.folder.filename().string();
+
+    const Dictionary caseDict = study.dict.subDict("case");
+    study.common = readChoice("case", caseDict);
+    if (study.common.layers.empty())
+    {
+        throw FatalInputError(caseDict.where(), "The case has no layers", "layers (\"FOLDER\" ...);");
+    }
+    study.valuesFile = (study.folder/caseDict.lookup<std::string>("valuesFile")).lexically_normal();
+    study.command = caseDict.lookupOr("command", std::string("./Allrun"));
+    study.timeLimit = study.dict.found("timeLimit") ? study.dict.lookupPositive("timeLimit", dimensions::time) : 0;
+
+    const Dictionary axes = study.dict.subDict("axes");
+    for (const std::string& name : axes.keys()) study.axes.push_back(readAxis(axes, name));
+    if (study.axes.empty()) throw FatalInputError(axes.where(), "There is no axis: the grid is empty", "particles (500 1000);");
+    const Dictionary quickDict = study.dict.subDictOrEmpty("quick");
+    if (quick) makeQuick(study, quickDict);
+    else quickDict.markUsed();
+    checkWords(study);
+    return study;
+}
+
+std::size_t Study::axis(const StudyText& wanted) const
+{
+    std::vector<std::string> names;
+    for (const StudyAxis& each : axes) names.push_back(each.name);
+    const auto found = std::find(names.begin(), names.end(), wanted.text);
+    if (found != names.end()) return found - names.begin();
+    throw FatalInputError(wanted.where, "The study has no axis '" + wanted.text + "'", "one of its axes", names, wanted.text);
+}
+
+std::vector<StudyRun> runsOf(const Study& study)
+{
+    std::vector<StudyRun> runs{{}};
+    for (const StudyAxis& axis : study.axes)
+    {
+        std::vector<StudyRun> longer;
+        for (const StudyRun& run : runs)
+        {
+            for (std::size_t i = 0; i < axis.choices.size(); ++i)
+            {
+                longer.push_back(run);
+                longer.back().name += (run.name.empty() ? "" : "-") + axis.choices[i].name;
+                longer.back().choices.push_back(i);
+            }
+        }
+        runs = longer;
+    }
+    return runs;
+}
+
+}
