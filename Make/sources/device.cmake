@@ -1,6 +1,7 @@
 # Compiled once per backend. Paths below src/.
 set(SHIZUKU_DEVICE_SOURCES
     device/Algorithms.C
+    device/Profile.C
     particles/Units.C
     particles/FieldRegistry.C
     particles/ParticleFiles.C

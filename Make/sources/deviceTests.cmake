@@ -4,6 +4,7 @@ set(SHIZUKU_DEVICE_TESTS
     device/TestBuffer.C
     device/TestForEach.C
     device/TestReduce.C
+    device/TestProfile.C
     freeSurface/TestExtendedLiquid.C
     freeSurface/TestFreeSurface.C
     functionObjects/TestDropObjects.C

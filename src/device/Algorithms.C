@@ -3,6 +3,7 @@
 #include "core/messages/Error.H"
 #include "device/Device.H"
 #include "device/ExecutionPolicy.H"
+#include "device/Profile.H"
 
 #include <thrust/device_ptr.h>
 #include <thrust/scan.h>
@@ -22,6 +23,7 @@ void sort(Buffer<Key>& keys, Buffer<std::uint32_t>& values)
     const auto key = thrust::device_pointer_cast(keys.span().data);
     const auto value = thrust::device_pointer_cast(values.span().data);
     ++deviceCounters().launches;
+    const device::KernelTimer timer("sort");
     thrust::stable_sort_by_key(device::executionPolicy(), key, key + keys.size(), value);
 }
 
@@ -47,6 +49,7 @@ std::uint32_t exclusiveScan(const Buffer<std::uint32_t>& in, Buffer<std::uint32_
     const auto source = thrust::device_pointer_cast(in.span().data);
     const auto target = thrust::device_pointer_cast(out.span().data);
     ++deviceCounters().launches;
+    const device::KernelTimer timer("scan");
     device::setBytes(out.span().data, 0, sizeof(std::uint32_t));
     thrust::inclusive_scan(device::executionPolicy(), source, source + n, target + 1, SaturatingSum{});
     std::uint32_t total = 0;

@@ -5,6 +5,7 @@
 
 #include "CaseChanges.H"
 #include "DryRun.H"
+#include "ProfileReport.H"
 #include "StepControl.H"
 #include "StepReport.H"
 #include "SubStep.H"
@@ -14,6 +15,7 @@
 #include "particles/ParticleFiles.H"
 
 #include <iostream>
+#include <optional>
 
 namespace shizuku
 {
@@ -51,6 +53,8 @@ void pbfDroplet(const Arguments& args)
 
     if (args.found("dry-run")) return reportDryRun(time, control, liquid, walls, models, device, speeds.now);
 
+    std::optional<ProfileReport> profile;
+    if (args.found("profile")) profile.emplace();
     std::string lastWritten = time.path();
     while (time.running())
     {
@@ -80,7 +84,9 @@ void pbfDroplet(const Arguments& args)
             lastWritten = time.path();
         }
         functions.write(time);
+        if (profile) profile->count(steps.count);
     }
+    if (profile) profile->report(liquid, near);
 }
 
 }
@@ -100,6 +106,7 @@ extern "C" int runOnDevice(int argc, char** argv)
             {
                 {"device", "auto|cuda|cpu", "where to compute; auto takes a GPU where there is one", "auto"},
                 {"dry-run", "", "read and check everything, print memory and cost, run nothing", ""},
+                {"profile", "", "print what each kernel took, per sub-step, at the end", ""},
                 {"noFunctionObjects", "", "leave out the function objects of system/controlDict", ""}
             }
         },

@@ -1,10 +1,12 @@
 #include "core/messages/Error.H"
 #include "device/Device.H"
 #include "device/Memory.H"
+#include "device/Profile.H"
 
 #include <cuda_runtime.h>
 
 #include <cstdlib>
+#include <vector>
 
 namespace shizuku
 {
@@ -61,6 +63,33 @@ DeviceCounters& deviceCounters()
 
 namespace device
 {
+
+namespace
+{
+    std::vector<cudaEvent_t> marks;
+}
+
+std::size_t mark()
+{
+    cudaEvent_t event;
+    check(cudaEventCreate(&event), "cannot create an event");
+    check(cudaEventRecord(event), "cannot record an event");
+    marks.push_back(event);
+    return marks.size() - 1;
+}
+
+double millisecondsBetween(std::size_t first, std::size_t second)
+{
+    float milliseconds = 0;
+    check(cudaEventElapsedTime(&milliseconds, marks.at(first), marks.at(second)), "cannot read events");
+    return milliseconds;
+}
+
+void forgetMarks()
+{
+    for (const cudaEvent_t event : marks) cudaEventDestroy(event);
+    marks.clear();
+}
 
 void checkLaunch()
 {

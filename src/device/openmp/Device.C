@@ -1,14 +1,17 @@
 #include "core/messages/Error.H"
 #include "device/Device.H"
 #include "device/Memory.H"
+#include "device/Profile.H"
 
 #include <omp.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <vector>
 
 namespace shizuku
 {
@@ -44,6 +47,24 @@ DeviceCounters& deviceCounters()
 
 namespace device
 {
+
+namespace
+{
+    std::vector<std::chrono::steady_clock::time_point> marks;
+}
+
+std::size_t mark()
+{
+    marks.push_back(std::chrono::steady_clock::now());
+    return marks.size() - 1;
+}
+
+double millisecondsBetween(std::size_t first, std::size_t second)
+{
+    return std::chrono::duration<double, std::milli>(marks.at(second) - marks.at(first)).count();
+}
+
+void forgetMarks() { marks.clear(); }
 
 void* allocate(std::size_t bytes)
 {

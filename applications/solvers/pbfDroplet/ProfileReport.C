@@ -1,0 +1,76 @@
+#include "ProfileReport.H"
+
+#include "Ceilings.H"
+#include "device/Device.H"
+#include "device/Profile.H"
+#include "device/Reduce.H"
+
+#include <iomanip>
+#include <iostream>
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct CountOf
+{
+    struct Sum
+    {
+        double value = 0;
+        HOST_DEVICE void add(const Sum& other) { value += other.value; }
+    };
+
+    NeighbourView near;
+
+    HOST_DEVICE Sum operator()(int i) const { return {double(near.count[i])}; }
+};
+
+double averageNeighbours(const Liquid& liquid, const Neighbourhood& near)
+{
+    Buffer<CountOf::Sum> scratch;
+    return reduce(liquid.owned(), CountOf{near.view()}, scratch).value / liquid.owned();
+}
+
+}
+
+void ProfileReport::count(int subSteps)
+{
+    if (passed_ >= warmUp)
+    {
+        counted_ += subSteps;
+        return;
+    }
+    passed_ += subSteps;
+    if (passed_ < warmUp) return;
+    launchesBefore_ = deviceCounters().launches;
+    startProfile();
+}
+
+void ProfileReport::report(const Liquid& liquid, const Neighbourhood& near) const
+{
+    if (counted_ == 0)
+    {
+        std::cout << "\nNo profile: it begins after " << warmUp << " sub-steps" << std::endl;
+        return;
+    }
+    const auto times = stopProfile();
+    const long launches = deviceCounters().launches - launchesBefore_;
+    double sum = 0;
+    std::cout << "\nProfile of " << counted_ << " sub-steps, " << liquid.owned() << " particles with "
+              << averageNeighbours(liquid, near) << " neighbours\n"
+              << "calls a sub-step   ms a sub-step   kernel\n";
+    for (const KernelTime& time : times)
+    {
+        sum += time.milliseconds / counted_;
+        std::cout << std::setw(16) << double(time.calls) / counted_ << std::setw(16) << time.milliseconds / counted_
+                  << "   " << time.kernel << '\n';
+    }
+    std::cout << std::setw(16) << double(launches) / counted_ << std::setw(16) << sum << "   all\n";
+    const Ceilings ceilings = measureCeilings();
+    std::cout << "Ceilings: " << ceilings.bytesPerSecond << " bytes/s copied, " << ceilings.operationsPerSecond
+              << " operations/s" << std::endl;
+}
+
+}

@@ -1,0 +1,84 @@
+#include "device/Profile.H"
+
+#include "device/Device.H"
+
+#include <cxxabi.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct Call
+{
+    const char* name;
+    std::size_t begin, end;
+};
+
+bool on = false;
+std::vector<Call> calls;
+
+std::string readable(const char* name)
+{
+    int status = 0;
+    char* demangled = abi::__cxa_demangle(name, nullptr, nullptr, &status);
+    std::string text = status == 0 ? demangled : name;
+    std::free(demangled);
+    for (const std::string space : {"(anonymous namespace)::", "shizuku::", "device::"})
+    {
+        for (auto at = text.find(space); at != std::string::npos; at = text.find(space)) text.erase(at, space.size());
+    }
+    return text;
+}
+
+}
+
+void startProfile()
+{
+    calls.clear();
+    device::forgetMarks();
+    on = true;
+}
+
+std::vector<KernelTime> stopProfile()
+{
+    synchronize();
+    on = false;
+    std::map<std::string, KernelTime> sums;
+    for (const Call& call : calls)
+    {
+        const std::string kernel = readable(call.name);
+        KernelTime& sum = sums[kernel];
+        sum.kernel = kernel;
+        ++sum.calls;
+        sum.milliseconds += device::millisecondsBetween(call.begin, call.end);
+    }
+    calls.clear();
+    device::forgetMarks();
+    std::vector<KernelTime> times;
+    for (const auto& [name, time] : sums) times.push_back(time);
+    std::sort(times.begin(), times.end(), [](const auto& a, const auto& b) { return a.milliseconds > b.milliseconds; });
+    return times;
+}
+
+namespace device
+{
+
+KernelTimer::KernelTimer(const char* name) : on_(on)
+{
+    if (on_) calls.push_back({name, mark(), 0});
+}
+
+KernelTimer::~KernelTimer()
+{
+    if (on_) calls.back().end = mark();
+}
+
+}
+
+}
