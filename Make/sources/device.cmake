@@ -21,8 +21,14 @@ set(SHIZUKU_DEVICE_SOURCES
     models/forces/InterParticleForces.C
     models/pressure/Pressure.C
     models/pressure/none/none.C
+    models/pressure/shared/IterationControls.C
     models/pressure/shared/PressureControls.C
+    models/pressure/shared/SoundSpeed.C
+    models/pressure/DFSPH/DFSPH.C
+    models/pressure/PCISPH/PCISPH.C
+    models/pressure/WCSPH/WCSPH.C
     models/pressure/completedPbf/CompletedPbf.C
+    models/pressure/idealGas/IdealGas.C
     models/pressure/pbf/Pbf.C
     models/surfaceTension/SurfaceTension.C
     models/surfaceTension/none/none.C

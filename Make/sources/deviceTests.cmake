@@ -15,7 +15,12 @@ set(SHIZUKU_DEVICE_TESTS
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C
     models/density/TestDensity.C
+    models/pressure/DFSPH/TestDFSPH.C
+    models/pressure/PCISPH/TestPCISPH.C
+    models/pressure/TestMomentum.C
+    models/pressure/WCSPH/TestWCSPH.C
     models/pressure/completedPbf/TestCompletedPbf.C
+    models/pressure/idealGas/TestIdealGas.C
     models/pressure/pbf/TestPbf.C
     models/surfaceTension/continuumSurfaceForce/TestContinuumSurfaceForce.C
     models/surfaceTension/pairTension/TestCohesionSpline.C

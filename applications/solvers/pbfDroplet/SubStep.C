@@ -25,6 +25,7 @@ void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, 
     }
 
     updateVelocities(liquid, dt);
+    models.pressure->correctVelocities(liquid, near, walls);
     models.viscosity->apply(liquid, near, walls, dt);
 }
 

@@ -19,13 +19,18 @@ struct StoreDensity
 
 void computeDensity(Liquid& liquid, const Neighbourhood& near, const Walls& walls)
 {
+    computeDensity(liquid, liquid.predicted, near, walls);
+}
+
+void computeDensity(Liquid& liquid, const Buffer<Vec3>& at, const Neighbourhood& near, const Walls& walls)
+{
     std::visit
     (
         [&]<class Kernel>(const Kernel& W)
         {
             const DensityOf<Kernel> densityOf
             {
-                W, liquid.particleVolume() / liquid.latticeSum(), liquid.predicted.span(), near.view(), walls.view()
+                W, liquid.particleVolume() / liquid.latticeSum(), at.span(), near.view(), walls.view()
             };
             forEach(liquid.owned(), StoreDensity<Kernel>{densityOf, liquid.density.span()});
         },

@@ -34,7 +34,7 @@ Dictionary choosing(const std::string& keyword, const std::string& word)
 
 TEST(Models, HaveTheirWords)
 {
-    EXPECT_EQ(PressureTable::words(), (Words{"completedPbf", "none", "pbf"}));
+    EXPECT_EQ(PressureTable::words(), (Words{"DFSPH", "PCISPH", "WCSPH", "completedPbf", "idealGas", "none", "pbf"}));
     EXPECT_EQ(SurfaceTensionTable::words(), (Words{"Akinci2013", "Fujisawa2014", "continuumSurfaceForce", "none"}));
     EXPECT_EQ(WettingTable::words(), (Words{"Akinci2013", "contactAngle", "extendedSurface", "none"}));
     EXPECT_EQ(ViscosityTable::words(), (Words{"XSPH", "laminar", "none"}));

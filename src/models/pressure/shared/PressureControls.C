@@ -5,11 +5,7 @@
 namespace shizuku
 {
 
-namespace
-{
-
-// Sum of |V grad W|^2 over the cubic lattice: the scale of epsilon.
-float bulkSum(const Liquid& liquid)
+float bulkSquares(const Liquid& liquid)
 {
     return std::visit
     (
@@ -22,25 +18,13 @@ float bulkSum(const Liquid& liquid)
     );
 }
 
-}
-
 PressureControls PressureControls::read(const Dictionary& dict, const Liquid& liquid)
 {
-    PressureControls c;
-    c.minIterations = dict.lookupOr("minIterations", 2);
-    c.maxIterations = dict.lookupOr("maxIterations", 10);
-    c.tolerance = dict.lookupOr("tolerance", 1e-3);
+    PressureControls c{IterationControls::read(dict, {2, 10, 1e-3}), 0, 0};
     c.relaxation = float(dict.lookupOr("relaxation", 0.3));
-    c.epsilon = float(dict.lookupOr("epsilon", 1e-3)) * bulkSum(liquid);
-    const auto refuse = [&](const std::string& key, bool wrong, const std::string& expected)
-    {
-        if (wrong) throw FatalInputError(dict.where(key), "Entry '" + key + "' is out of range", expected);
-    };
-    refuse("maxIterations", c.maxIterations < 1, "1 or more");
-    refuse("minIterations", c.minIterations < 0 || c.minIterations > c.maxIterations, "0 to maxIterations");
-    refuse("tolerance", !(c.tolerance >= 0), "0 (every iteration is made) or more");
-    refuse("relaxation", !(c.relaxation > 0 && c.relaxation < 2), "more than 0 and less than 2");
-    refuse("epsilon", !(c.epsilon >= 0), "0 or more");
+    c.epsilon = float(dict.lookupOr("epsilon", 1e-3)) * bulkSquares(liquid);
+    refuseIf(!(c.relaxation > 0 && c.relaxation < 2), dict, "relaxation", "more than 0 and less than 2");
+    refuseIf(!(c.epsilon >= 0), dict, "epsilon", "0 or more");
     return c;
 }
 

@@ -1,0 +1,300 @@
+// Divergence-free SPH: Bender and Koschier 2015, Divergence-free smoothed particle hydrodynamics.
+//
+//     alpha_i  = rho_i / ( |sum_j m grad W_ij|^2 + sum_j |m grad W_ij|^2 )                       (9)
+//     kappa_i  = (rho*_i - rho0) alpha_i/dt^2,    rho*_i = rho_i + dt Drho_i/Dt                  (12), (11)
+//     kappav_i = (Drho_i/Dt) alpha_i/dt,    Drho_i/Dt = sum_j m (u_i - u_j) . grad W_ij          (8), (5)
+//     u_i     -= dt sum_j m (kappa_i/rho_i + kappa_j/rho_j) grad W_ij                            algorithms 2 and 3
+//
+// kappa holds the density while positions are predicted, dt u being the way from the step's beginning, where all gradients are
+// taken; kappav the divergence after they have moved (correctVelocities). Both begin with what the last step came to (warm
+// start, 3.4); a restarted run begins without. Negative pressures are clamped, as in the paper; since a warm start may be too
+// much, the clamp is of the sum that a step applies, not of each iteration's part. Divergence is left alone where it is
+// negative, and where particles have fewer than 0.6 of a full neighbourhood's neighbours (20 of 32): the surface may open.
+// The walls' share in rho is (8) of doc/theory/pbf.md; they push with the particle's own kappa (Akinci et al. 2012).
+//
+//     pressure    DFSPH;                  // in constant/models
+//     pressure                            // in system/solution
+//     {
+//         minIterations   2;   maxIterations   100;   tolerance   1e-3;   // average compression
+//         divergence      { minIterations 1; maxIterations 100; tolerance 1e-3; }   // average of dt (Drho/Dt)/rho0
+//         warmStart       yes;
+//     }
+
+#include "models/density/Density.H"
+#include "models/pressure/Pressure.H"
+#include "models/pressure/shared/AverageCompression.H"
+#include "models/pressure/shared/ConstraintSums.H"
+#include "models/pressure/shared/IterationControls.H"
+#include "models/pressure/shared/PushApart.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+// All particles are corrected at once, out of the values of the last iteration. On a lattice that diverges with whole steps.
+constexpr float relaxation = 0.5f;
+
+// What stays the same during an iteration: alpha_i rho0^2/rho_i, zero where a particle is alone.
+template<class Kernel>
+struct Factor
+{
+    Kernel W;
+    float volume;
+    Span<const Vec3> at;
+    NeighbourView near;
+    WallView walls;
+    Span<float> factor;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const ConstraintSums sums = constraintSums(W, volume, i, at, near);
+        const float all = sums.squares + squared(sums.gradient + walls.gradient(i, at[i], W));
+        factor[i] = all > 1e-6f ? 1 / all : 0;
+    }
+};
+
+// sum_j V (u_i - u_j) . grad W_ij + u_i . grad(walls): of the way made, the change of rho/rho0 (11); of velocities its rate.
+template<class Kernel>
+struct Convergence
+{
+    Kernel W;
+    float volume;
+    Span<const Vec3> at;
+    NeighbourView near;
+    WallView walls;
+
+    template<class Motion>
+    HOST_DEVICE float operator()(int i, const Motion& u) const
+    {
+        const Vec3 xi = at[i], ui = u(i);
+        float sum = dot(ui, walls.gradient(i, xi, W));
+        near.forEach(i, [&](int j)
+        {
+            const Vec3 r = xi - at[j];
+            sum += volume * W.g(norm(r)) * dot(ui - u(j), r);
+        });
+        return sum;
+    }
+};
+
+struct WayMade
+{
+    Span<const Vec3> predicted, position;
+
+    HOST_DEVICE Vec3 operator()(int i) const { return predicted[i] - position[i]; }
+};
+
+struct VelocityOf
+{
+    Span<const Vec3> velocity;
+
+    HOST_DEVICE Vec3 operator()(int i) const { return velocity[i]; }
+};
+
+// kappa dt^2/rho0 of the step may grow and fall, and stays positive.
+HOST_DEVICE inline float raise(float& total, float by)
+{
+    const float before = total;
+    total = fmaxf(before + by, 0);
+    return total - before;
+}
+
+template<class Kernel>
+struct DensityStep
+{
+    Convergence<Kernel> convergence;
+    WayMade way;
+    float perPressure;                  // dt^2/rho0
+    Span<const float> start, factor;
+    Span<float> density, pressure, increase;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        density[i] = start[i] + convergence(i, way);
+        float total = perPressure * pressure[i];
+        increase[i] = raise(total, relaxation * factor[i] * (density[i] - 1));
+        pressure[i] = total / perPressure;
+    }
+};
+
+template<class Kernel>
+struct DivergenceStep
+{
+    Convergence<Kernel> convergence;
+    VelocityOf velocity;
+    float fullCount, perVolume;         // neighbours of a full neighbourhood; particles in the volume of a support
+    Span<const float> factor;
+    Span<float> rate, total, increase;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const WallView& walls = convergence.walls;
+        const Vec3 xi = convergence.at[i];
+        int count = int(convergence.near.count[i]);
+        walls.particles.near.forEach(i, [&](int k)
+        {
+            if (norm(xi - walls.particles.position[k]) < convergence.W.h) ++count;
+        });
+        const bool few = float(count) + perVolume * walls.surfaces.density(xi).value < 0.6f * fullCount;
+        const float now = convergence(i, velocity);
+        rate[i] = few ? 0 : fmaxf(now, 0);
+        increase[i] = few ? raise(total[i], -total[i]) : raise(total[i], relaxation * factor[i] * now);
+    }
+};
+
+// What the last step came to is the first correction of this one.
+struct WarmStart
+{
+    float factor;                       // zero: none
+    Span<float> total, increase;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        increase[i] = factor * total[i];
+        if (factor == 0) total[i] = 0;
+    }
+};
+
+struct RateOf
+{
+    Span<const float> rate;
+
+    HOST_DEVICE AverageCompression::Sum operator()(int i) const { return {rate[i]}; }
+};
+
+class DFSPH : public Pressure
+{
+public:
+    DFSPH(const Dictionary& dict, Liquid& liquid, Walls&, FreeSurface&)
+    :
+        controls_(IterationControls::read(dict, {2, 100, 1e-3})),
+        divergenceControls_(IterationControls::read(dict.subDictOrEmpty("divergence"), {1, 100, 1e-3})),
+        warmStart_(dict.lookupOr("warmStart", true)),
+        pressure_(liquid.fields().require<float>
+        ({
+            .name = "p", .dimensions = dimensions::pressure, .written = true, .exchanged = true
+        })),
+        velocityPotential_(liquid.fields().require<float>
+        ({
+            .name = "velocityPotential", .dimensions = dimensions::kinematicViscosity, .exchanged = true
+        }))
+    {}
+
+    void begin(float dt) override
+    {
+        iterations_ = 0;
+        dt_ = dt;
+    }
+
+    bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    {
+        if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
+        const float perPressure = dt_ * dt_ / liquid.restDensity();
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                if (iterations_ == 0)
+                {
+                    prepare(W, liquid, near, walls);
+                    computeDensity(liquid, liquid.position, near, walls);
+                    start_.resizeDiscarding(liquid.all());
+                    start_.swap(liquid.density);
+                    forEach(liquid.owned(), WarmStart{warmStart_ ? perPressure : 0, pressure_.span(), increase_.span()});
+                    if (warmStart_) push(W, liquid, near, walls, liquid.predicted);
+                }
+                forEach(liquid.owned(), DensityStep<Kernel>
+                {
+                    {W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view()},
+                    {liquid.predicted.span(), liquid.position.span()}, perPressure, start_.span(), factor_.span(),
+                    liquid.density.span(), pressure_.span(), increase_.span()
+                });
+            },
+            liquid.kernel()
+        );
+        if (iterations_ < controls_.minIterations || controls_.tolerance == 0) return true;
+        return compression_(liquid) > controls_.tolerance;
+    }
+
+    void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    {
+        ++iterations_;
+        std::visit([&](const auto& W) { push(W, liquid, near, walls, liquid.predicted); }, liquid.kernel());
+    }
+
+    void correctVelocities(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    {
+        if (liquid.owned() == 0) return;
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                prepare(W, liquid, near, walls);
+                rate_.resizeDiscarding(liquid.all());
+                forEach(liquid.owned(), WarmStart{warmStart_ ? 1.0f : 0.0f, velocityPotential_.span(), increase_.span()});
+                if (warmStart_) push(W, liquid, near, walls, liquid.velocity);
+                const float inSupport = 4 * kernels::pi / 3 * W.h * W.h * W.h / liquid.particleVolume();
+                for (int made = 0; made < divergenceControls_.maxIterations; ++made)
+                {
+                    forEach(liquid.owned(), DivergenceStep<Kernel>
+                    {
+                        {W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view()},
+                        {liquid.velocity.span()}, inSupport - 1, inSupport, factor_.span(), rate_.span(),
+                        velocityPotential_.span(), increase_.span()
+                    });
+                    const bool looks = made >= divergenceControls_.minIterations && divergenceControls_.tolerance > 0;
+                    if (looks && dt_ * averageRate(liquid) <= divergenceControls_.tolerance) break;
+                    push(W, liquid, near, walls, liquid.velocity);
+                }
+            },
+            liquid.kernel()
+        );
+    }
+
+    int iterations() const override { return iterations_; }
+    const Buffer<float>* keepPressure() override { return &pressure_; }
+
+private:
+    template<class Kernel>
+    void prepare(const Kernel& W, const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
+    {
+        factor_.resizeDiscarding(liquid.all());
+        increase_.resizeDiscarding(liquid.all());
+        forEach(liquid.owned(), Factor<Kernel>
+        {
+            W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view(), factor_.span()
+        });
+    }
+
+    template<class Kernel>
+    void push(const Kernel& W, const Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& moved)
+    {
+        forEach(liquid.owned(), PushApart<Kernel, SumOfBoth>
+        {
+            W, liquid.particleVolume(), {increase_.span()}, liquid.position.span(), near.view(), walls.view(), moved.span()
+        });
+    }
+
+    double averageRate(const Liquid& liquid)
+    {
+        return reduce(liquid.owned(), RateOf{rate_.span()}, scratch_).value / liquid.owned();
+    }
+
+    IterationControls controls_, divergenceControls_;
+    bool warmStart_;
+    float dt_ = 0;
+    int iterations_ = 0;
+    Buffer<float>& pressure_;           // rho0 kappa/rho, of the step that was made
+    Buffer<float>& velocityPotential_;  // dt kappav/rho
+    Buffer<float> start_, factor_, increase_, rate_;
+    AverageCompression compression_;
+    Buffer<AverageCompression::Sum> scratch_;
+};
+
+const PressureTable::Add<DFSPH> registered{"DFSPH"};
+
+}
+
+}

@@ -1,0 +1,110 @@
+// Predictive-corrective incompressible SPH: Solenthaler and Pajarola 2009.
+//
+//     p_i += delta (rho*_i - rho0),   rho*_i at the predicted positions                (9), in every iteration, from p = 0
+//     delta = 1/( beta [ sum grad W . sum grad W + sum (grad W . grad W) ] ),  beta = 2 (dt m/rho0)^2       (8)
+//     F_i   = -m^2 sum_j (p_i + p_j)/rho0^2 grad W_ij                                  gradients at the step's beginning
+//
+// The sums of delta are those of the cubic lattice, whose first is zero: the paper's prototype particle with a full
+// neighbourhood. An iteration moves the predicted positions by what the change of p adds to F, which is the paper's
+// prediction from the start, F being linear in p. p >= 0. Walls push with the particle's own pressure (Akinci et al. 2012).
+// The tolerance is of the average compression, as in all models here; the paper bounds the largest.
+//
+//     pressure    PCISPH;                 // in constant/models
+//     pressure    { minIterations 3; maxIterations 50; tolerance 1e-3; }          // in system/solution
+
+#include "models/density/Density.H"
+#include "models/pressure/Pressure.H"
+#include "models/pressure/shared/AverageCompression.H"
+#include "models/pressure/shared/PressureControls.H"
+#include "models/pressure/shared/PushApart.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct RaisePressure
+{
+    float delta;                        // times rho0
+    float perPressure;                  // dt^2/rho0
+    Span<const float> density;
+    Span<float> pressure, increase;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const float before = pressure[i];
+        pressure[i] = fmaxf(before + delta * (density[i] - 1), 0);
+        increase[i] = (pressure[i] - before) * perPressure;
+    }
+};
+
+class PCISPH : public Pressure
+{
+public:
+    PCISPH(const Dictionary& dict, Liquid& liquid, Walls&, FreeSurface&)
+    :
+        controls_(IterationControls::read(dict, {3, 50, 1e-3})),
+        squares_(bulkSquares(liquid)),
+        pressure_(liquid.fields().require<float>
+        ({
+            .name = "p", .dimensions = dimensions::pressure, .sorted = false, .written = true, .exchanged = true
+        }))
+    {}
+
+    void begin(float dt) override
+    {
+        iterations_ = 0;
+        dt_ = dt;
+        pressure_.setZero();
+    }
+
+    bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    {
+        if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
+        const float perPressure = dt_ * dt_ / liquid.restDensity();
+        increase_.resizeDiscarding(liquid.all());
+        computeDensity(liquid, near, walls);
+        forEach(liquid.owned(), RaisePressure
+        {
+            1 / (2 * perPressure * squares_), perPressure, liquid.density.span(), pressure_.span(), increase_.span()
+        });
+        if (iterations_ < controls_.minIterations || controls_.tolerance == 0) return true;
+        return compression_(liquid) > controls_.tolerance;
+    }
+
+    void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    {
+        ++iterations_;
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                forEach(liquid.owned(), PushApart<Kernel, SumOfBoth>
+                {
+                    W, liquid.particleVolume(), {increase_.span()}, liquid.position.span(), near.view(), walls.view(),
+                    liquid.predicted.span()
+                });
+            },
+            liquid.kernel()
+        );
+    }
+
+    int iterations() const override { return iterations_; }
+    const Buffer<float>* keepPressure() override { return &pressure_; }
+
+private:
+    IterationControls controls_;
+    float squares_;                     // sum of |V grad W|^2 over the lattice
+    float dt_ = 0;
+    int iterations_ = 0;
+    Buffer<float>& pressure_;
+    Buffer<float> increase_;            // of p, times dt^2/rho0
+    AverageCompression compression_;
+};
+
+const PressureTable::Add<PCISPH> registered{"PCISPH"};
+
+}
+
+}
