@@ -6,6 +6,7 @@
 #include <fstream>
 #include <limits>
 #include <regex>
+#include <vector>
 
 namespace shizuku
 {
@@ -19,18 +20,27 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 void readLog(const std::filesystem::path& log, RunCost& cost)
 {
     static const std::regex particles("Liquid particles (\\d+).*"), step("deltaT = (\\S+) s, (\\d+) sub-step.*");
+    static const std::regex time("Time = (\\S+) s  .*"), execution("ExecutionTime = (\\S+) s .*");
     double sum = 0;
     long count = 0;
+    std::vector<double> times, executions;
     std::ifstream stream(log);
     std::smatch match;
     for (std::string line; std::getline(stream, line);)
     {
         if (std::regex_match(line, match, particles)) cost.particles = std::stod(match[1]);
+        else if (std::regex_match(line, match, time)) times.push_back(std::stod(match[1]));
+        else if (std::regex_match(line, match, execution) && executions.size() < times.size()) executions.push_back(std::stod(match[1]));
         else if (std::regex_match(line, match, step))
         {
             sum += std::stod(match[1]);
             ++count;
         }
+    }
+    if (executions.size() > 1)
+    {
+        const std::size_t last = executions.size() - 1;
+        cost.cpuTime = (executions[last] - executions[0])/(times[last] - times[0]);
     }
     if (count > 0) cost.subStep = sum/double(count);
 }
@@ -39,7 +49,7 @@ void readLog(const std::filesystem::path& log, RunCost& cost)
 
 RunCost runCost(const std::filesystem::path& casePath, const std::string& functionObject)
 {
-    RunCost cost{unknown, unknown, unknown, unknown};
+    RunCost cost{unknown, unknown, unknown, unknown, unknown};
     const Dictionary control = Dictionary::read(casePath/"system/controlDict");
     readLog(casePath/("log." + control.lookupOr("application", std::string("pbfDroplet"))), cost);
     cost.particleSteps = cost.particles/cost.subStep;

@@ -23,7 +23,10 @@ const std::string allrun = R"(#!/bin/sh
 echo ran >>"@ledger@"
 @before@
 mkdir -p postProcessing/timing/0 postProcessing/compareReference
-printf 'Liquid particles @n@, solid\ndeltaT = 0.05 s, 2 sub-steps, limited by capillary\n' >log.pbfDroplet
+{ echo 'Liquid particles @n@, solid'
+for i in 1 2 3 4 5; do
+    printf 'Time = 0.%d s  (20 %%)\ndeltaT = 0.05 s, 2 sub-steps, limited by capillary\nExecutionTime = %d s  ClockTime = 9 s\n' $i $((i*@n@))
+done; echo 'ExecutionTime = 999 s  ClockTime = 999 s'; } >log.pbfDroplet
 { echo 'time [s],wall [ms]'; for i in 1 2 3 4 5; do echo 0.$i,@n@; done; } >postProcessing/timing/0/stepTime.csv
 { echo 'comparison,quantity,unit,reference,measured,deviation,deviationUnit,target,verdict'
 echo "angle,contact angle,deg,60,60,$(awk 'BEGIN { print -8/@n@ }'),deg,3,pass"
@@ -77,6 +80,7 @@ TEST_F(Studies, MeasuresErrorAndCostAndMarksTheFront)
     ASSERT_EQ(runs.rows(), 4u);
     EXPECT_EQ(runs.number(3, "error"), 1);                      // 8/8
     EXPECT_DOUBLE_EQ(runs.number(3, "wallTime"), 0.08);         // four steps of 8 ms over 0.4 s
+    EXPECT_NEAR(runs.number(3, "cpuTime"), 80, 1e-6);           // 8 s of 0.1 s each
     EXPECT_EQ(runs.number(3, "particleSteps"), 160);            // 8 particles, a sub-step of 0.05 s
     EXPECT_EQ(runs.text(3, "end"), "finished");
     const CsvTable points = table("speedAccuracy.csv");

@@ -40,6 +40,12 @@ std::string namedAxes(const Study& study, const SpeedAccuracy& chart)
     return names;
 }
 
+std::string axisOf(const std::string& cost)
+{
+    if (cost == "particleSteps") return "particle-steps for one simulated second";
+    return std::string(cost == "cpuTime" ? "processor time" : "wall-clock time") + " for one simulated second [s]";
+}
+
 void addBlock(std::ostream& stream, const std::string& name, const std::vector<std::string>& rows)
 {
     stream << '$' << name << " << END\n";
@@ -127,7 +133,7 @@ void drawPoints
     }
     commands << "set logscale xy; set grid lc rgb \"#dddddd\"; set offsets graph 0.05, graph 0.15, graph 0.05, graph 0.05\n"
              << "set key outside below; set title " << quotedForGnuplot(chart.title) << '\n'
-             << "set xlabel \"" << (chart.cost == "wallTime" ? "time of computing for one simulated second [s]" : "particle-steps for one simulated second")
+             << "set xlabel \"" << axisOf(chart.cost)
              << "\"; set ylabel " << quotedForGnuplot(chart.label) << "\nset format x \"%g\"; set format y \"%g\"\nplot ";
     for (std::size_t i = 0; i < plots.size(); ++i) commands << (i > 0 ? ", \\\n    " : "") << plots[i];
     drawChart(file, commands.str());

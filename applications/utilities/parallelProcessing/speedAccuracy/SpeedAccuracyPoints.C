@@ -36,13 +36,14 @@ double numberIn(const RunOutcome& outcome, const std::string& column)
 
 }
 
-SpeedAccuracy::SpeedAccuracy(const Study& study)
+SpeedAccuracy::SpeedAccuracy(const Study& study, const std::string& wantedCost)
 :
     title(study.dict.lookupOr("title", study.name)),
-    cost(study.dict.lookupChoice("cost", {"wallTime", "particleSteps"})),
+    cost(study.dict.lookupChoice("cost", {"wallTime", "cpuTime", "particleSteps"})),
     study_(study),
     error_(study.dict.subDict("error"))
 {
+    if (!wantedCost.empty()) cost = wantedCost;
     const Dictionary error = study.dict.subDict("error");
     label = error.lookup<std::string>("label");
     least = error.lookupPositive("least", dimensions::none);
@@ -68,7 +69,7 @@ std::vector<CsvFile::Column> SpeedAccuracy::columns() const
 {
     return
     {
-        {"reference", ""}, {"measured", ""}, {"error", ""}, {"wallTime", "s/s"}, {"particleSteps", "1/s"}, {"particles", ""},
+        {"reference", ""}, {"measured", ""}, {"error", ""}, {"wallTime", "s/s"}, {"cpuTime", "s/s"}, {"particleSteps", "1/s"}, {"particles", ""},
         {"subStep", "s"}
     };
 }
@@ -78,7 +79,7 @@ std::map<std::string, CsvFile::Cell> SpeedAccuracy::measure(const RunOutcome& ou
     const RunCost spent = runCost(outcome.path);
     std::map<std::string, CsvFile::Cell> cells
     {
-        {"wallTime", spent.wallTime}, {"particleSteps", spent.particleSteps}, {"particles", spent.particles},
+        {"wallTime", spent.wallTime}, {"cpuTime", spent.cpuTime}, {"particleSteps", spent.particleSteps}, {"particles", spent.particles},
         {"subStep", spent.subStep}
     };
     if (outcome.end != RunEnd::finished) return cells;

@@ -14,7 +14,7 @@ namespace
 
 ApplicationInfo info()
 {
-    return
+    ApplicationInfo result
     {
         "speedAccuracy",
         "Runs the case of a study over a grid of choices, measures the error and the cost of each run, and draws the one over "
@@ -23,6 +23,8 @@ ApplicationInfo info()
         {"study"},
         false
     };
+    result.options.push_back({"cost", "wallTime|cpuTime|particleSteps", "what is drawn, in place of the study's own", ""});
+    return result;
 }
 
 void printFront(const Study& study, const SpeedAccuracy& chart, const std::vector<SpeedAccuracyPoint>& points)
@@ -43,7 +45,7 @@ void printFront(const Study& study, const SpeedAccuracy& chart, const std::vecto
 void speedAccuracy(const Arguments& args)
 {
     const Study study = readStudy(args);
-    const SpeedAccuracy chart(study);
+    const SpeedAccuracy chart(study, args.found("cost") ? args.get("cost") : "");
     study.dict.refuseUnused();
     StudyEngine engine(study, args, chart);
     engine.run();
