@@ -98,10 +98,10 @@ void replaceValue(CaseChoice& choice, const std::string& word, const StudyText& 
     else there->second = value;
 }
 
-// -quick: other choices of the same axes, other values.
-void makeQuick(Study& study, const Dictionary& quick)
+// Other choices of the same axes, other values.
+void vary(Study& study, const Dictionary& variant)
 {
-    const Dictionary axes = quick.subDictOrEmpty("axes");
+    const Dictionary axes = variant.subDictOrEmpty("axes");
     for (const std::string& name : axes.keys())
     {
         const std::size_t axis = study.axis({name, axes.where(name)});
@@ -117,7 +117,7 @@ void makeQuick(Study& study, const Dictionary& quick)
         if (chosen.empty()) throw FatalInputError(axes.where(name), "Axis '" + name + "' has no choice: the grid is empty");
         study.axes[axis].choices = chosen;
     }
-    for (const auto& [word, value] : pairsOf(quick, "values")) replaceValue(study.common, word, value);
+    for (const auto& [word, value] : pairsOf(variant, "values")) replaceValue(study.common, word, value);
 }
 
 // Words that valuesFile does not have would change nothing.
@@ -155,7 +155,7 @@ std::size_t StudyAxis::find(const StudyText& choice) const
     throw FatalInputError(choice.where, "Axis '" + name + "' has no choice '" + choice.text + "'", "one of its choices", names, choice.text);
 }
 
-Study Study::read(const fs::path& given, bool quick)
+Study Study::read(const fs::path& given, const std::string& variant)
 {
     const fs::path file = fs::is_directory(given) ? given/"studyDict" : given;
     Study study;
@@ -176,9 +176,16 @@ Study Study::read(const fs::path& given, bool quick)
     const Dictionary axes = study.dict.subDict("axes");
     for (const std::string& name : axes.keys()) study.axes.push_back(readAxis(axes, name));
     if (study.axes.empty()) throw FatalInputError(axes.where(), "There is no axis: the grid is empty", "particles (500 1000);");
-    const Dictionary quickDict = study.dict.subDictOrEmpty("quick");
-    if (quick) makeQuick(study, quickDict);
-    else quickDict.markUsed();
+    const Dictionary variants = study.dict.subDictOrEmpty("variants");
+    variants.markUsed();
+    if (!variant.empty())
+    {
+        if (!variants.found(variant))
+        {
+            throw FatalInputError(study.dict.where(), "The study has no variant '" + variant + "'", "one of its variants", variants.keys(), variant);
+        }
+        vary(study, variants.subDict(variant));
+    }
     checkWords(study);
     return study;
 }

@@ -105,11 +105,23 @@ std::vector<Option> studyOptions()
 {
     std::vector<Option> options = placeOptions(1);
     options.push_back({"output", "DIR", "where cases, tables and charts go (default: studies/<name> below $SHIZUKU_RUN, or below run)", ""});
-    options.push_back({"quick", "", "the short version that the study names", ""});
+    options.push_back({"variant", "NAME", "other choices of the axes, as the study names them", ""});
+    options.push_back({"quick", "", "-variant quick: seconds", ""});
     options.push_back({"retry", "", "run again what died", ""});
     options.push_back({"prepare", "", "make the cases and sample their solids only; both can be brought to a machine without CGAL", ""});
     options.push_back({"draw", "", "run nothing: measure and draw what is there", ""});
     return options;
+}
+
+namespace
+{
+
+std::string variantOf(const Arguments& args)
+{
+    if (args.found("quick") && args.found("variant")) throw FatalInputError({}, "-quick and -variant exclude each other", "one of them");
+    return args.found("variant") ? args.get("variant") : args.found("quick") ? "quick" : "";
+}
+
 }
 
 Study readStudy(const Arguments& args)
@@ -118,14 +130,14 @@ Study readStudy(const Arguments& args)
     {
         throw FatalInputError({}, "No study is given", args.info().name + " STUDY, e.g. " + args.info().name + " studies/sessile");
     }
-    return Study::read(args.positional("study"), args.found("quick"));
+    return Study::read(args.positional("study"), variantOf(args));
 }
 
 fs::path studyOutput(const Arguments& args, const Study& study)
 {
     if (args.found("output")) return fs::absolute(args.get("output"));
     const char* const run = std::getenv("SHIZUKU_RUN");
-    return fs::absolute(fs::path(run ? run : "run")/"studies"/(study.name + (args.found("quick") ? "-quick" : "")));
+    return fs::absolute(fs::path(run ? run : "run")/"studies"/(study.name + (variantOf(args).empty() ? "" : "-" + variantOf(args))));
 }
 
 StudyEngine::StudyEngine(const Study& study, const Arguments& args, const RunMeasure& measure)

@@ -27,9 +27,9 @@ protected:
         folder_.write("over/system/solution", "spacing 7;\n");
     }
 
-    Study study(const std::string& rest, bool quick = false) const
+    Study study(const std::string& rest, const std::string& variant = "") const
     {
-        return Study::read(folder_.write("studyDict", head + rest), quick);
+        return Study::read(folder_.write("studyDict", head + rest), variant);
     }
     std::string refusal(const std::string& rest) const
     {
@@ -78,15 +78,16 @@ TEST_F(StudyOf, ChoicesGiveEntriesAndLayers)
     EXPECT_EQ(composeCase(s, runsOf(s)[1]).values.at("volume"), "1");
 }
 
-TEST_F(StudyOf, QuickReplacesChoicesAndValues)
+TEST_F(StudyOf, AVariantReplacesChoicesAndValues)
 {
     const std::string rest = "}\naxes { particles (1 8); set (default other); }\n"
-                             "quick { axes { particles (64); set (other); } values { volume 64; } }\n";
+                             "variants { quick { axes { particles (64); set (other); } values { volume 64; } } }\n";
     EXPECT_EQ(runsOf(study(rest)).size(), 4u);
-    const Study s = study(rest, true);
+    const Study s = study(rest, "quick");
     ASSERT_EQ(runsOf(s).size(), 1u);
     EXPECT_EQ(runsOf(s)[0].name, "64-other");
     EXPECT_TRUE(holds(composeCase(s, runsOf(s)[0]).files.at("system/solution").text, {"spacing 1;"}));
+    EXPECT_TRUE(holds(messageOf([&] { study(rest, "quik"); }), {"no variant 'quik'", "Did you mean 'quick'?"}));
 }
 
 TEST_F(StudyOf, RefusesWhatIsWrongWithFileAndLine)
