@@ -24,6 +24,7 @@ set(SHIZUKU_DEVICE_SOURCES
     models/pressure/shared/IterationControls.C
     models/pressure/shared/PressureControls.C
     models/pressure/shared/SoundSpeed.C
+    models/pressure/Clavet2005/Clavet2005.C
     models/pressure/DFSPH/DFSPH.C
     models/pressure/PCISPH/PCISPH.C
     models/pressure/WCSPH/WCSPH.C
@@ -32,14 +33,20 @@ set(SHIZUKU_DEVICE_SOURCES
     models/pressure/pbf/Pbf.C
     models/surfaceTension/SurfaceTension.C
     models/surfaceTension/none/none.C
+    models/surfaceTension/pairForce/PairForce.C
     models/surfaceTension/pairTension/CohesionSpline.C
     models/surfaceTension/pairTension/PairTension.C
     models/surfaceTension/continuumSurfaceForce/ContinuumSurfaceForce.C
     models/surfaceTension/Akinci2013/Akinci2013.C
+    models/surfaceTension/Becker2007/Becker2007.C
     models/surfaceTension/Fujisawa2014/Fujisawa2014.C
+    models/surfaceTension/Kondo2007/Kondo2007.C
+    models/surfaceTension/Mueller2003/Mueller2003.C
+    models/surfaceTension/Tartakovsky2005/Tartakovsky2005.C
     models/wetting/Wetting.C
     models/wetting/none/none.C
     models/wetting/Akinci2013/Akinci2013.C
+    models/wetting/adhesionRatio/AdhesionRatio.C
     models/wetting/extendedSurface/ExtendedSurface.C
     models/wetting/contactAngle/ContactAngle.C
     models/viscosity/Viscosity.C

@@ -3,8 +3,8 @@ set(SHIZUKU_DEVICE_TESTS
     device/TestAlgorithms.C
     device/TestBuffer.C
     device/TestForEach.C
-    device/TestReduce.C
     device/TestProfile.C
+    device/TestReduce.C
     freeSurface/TestExtendedLiquid.C
     freeSurface/TestFreeSurface.C
     functionObjects/TestDropObjects.C
@@ -15,6 +15,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C
     models/density/TestDensity.C
+    models/pressure/Clavet2005/TestClavet2005.C
     models/pressure/DFSPH/TestDFSPH.C
     models/pressure/PCISPH/TestPCISPH.C
     models/pressure/TestMomentum.C
@@ -22,6 +23,11 @@ set(SHIZUKU_DEVICE_TESTS
     models/pressure/completedPbf/TestCompletedPbf.C
     models/pressure/idealGas/TestIdealGas.C
     models/pressure/pbf/TestPbf.C
+    models/surfaceTension/Becker2007/TestBecker2007.C
+    models/surfaceTension/Kondo2007/TestKondo2007.C
+    models/surfaceTension/Mueller2003/TestMueller2003.C
+    models/surfaceTension/Tartakovsky2005/TestTartakovsky2005.C
+    models/surfaceTension/TestMomentum.C
     models/surfaceTension/continuumSurfaceForce/TestContinuumSurfaceForce.C
     models/surfaceTension/pairTension/TestCohesionSpline.C
     models/surfaceTension/pairTension/TestPairTension.C
@@ -29,6 +35,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/viscosity/XSPH/TestXSPH.C
     models/viscosity/laminar/TestLaminar.C
     models/wetting/Akinci2013/TestAkinci2013.C
+    models/wetting/adhesionRatio/TestAdhesionRatio.C
     models/wetting/contactAngle/TestContactAngle.C
     models/wetting/extendedSurface/TestExtendedSurface.C
     motion/TestMotion.C

@@ -34,9 +34,9 @@ Dictionary choosing(const std::string& keyword, const std::string& word)
 
 TEST(Models, HaveTheirWords)
 {
-    EXPECT_EQ(PressureTable::words(), (Words{"DFSPH", "PCISPH", "WCSPH", "completedPbf", "idealGas", "none", "pbf"}));
-    EXPECT_EQ(SurfaceTensionTable::words(), (Words{"Akinci2013", "Fujisawa2014", "continuumSurfaceForce", "none"}));
-    EXPECT_EQ(WettingTable::words(), (Words{"Akinci2013", "contactAngle", "extendedSurface", "none"}));
+    EXPECT_EQ(PressureTable::words(), (Words{"Clavet2005", "DFSPH", "PCISPH", "WCSPH", "completedPbf", "idealGas", "none", "pbf"}));
+    EXPECT_EQ(SurfaceTensionTable::words(), (Words{"Akinci2013", "Becker2007", "Fujisawa2014", "Kondo2007", "Mueller2003", "Tartakovsky2005", "continuumSurfaceForce", "none"}));
+    EXPECT_EQ(WettingTable::words(), (Words{"Akinci2013", "adhesionRatio", "contactAngle", "extendedSurface", "none"}));
     EXPECT_EQ(ViscosityTable::words(), (Words{"XSPH", "laminar", "none"}));
     EXPECT_EQ(BodyForceTable::words(), (Words{"gravity", "none"}));
 }
@@ -59,7 +59,8 @@ TEST(Models, AreMadeByEveryWord)
     }
     for (const auto& word : WettingTable::words())
     {
-        const auto tension = makeTension(drop, word == "extendedSurface" ? "continuumSurfaceForce" : "Akinci2013");
+        const std::string tensionWord = word == "extendedSurface" ? "continuumSurfaceForce" : "Akinci2013";
+        const auto tension = makeTension(drop, word == "adhesionRatio" ? "Kondo2007" : tensionWord);
         const auto wetting = Wetting::New(choosing("wetting", word), drop.liquid, drop.walls, *tension);
         EXPECT_EQ(wetting->active(), word != "none") << word;
     }

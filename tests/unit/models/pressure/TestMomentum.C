@@ -7,10 +7,10 @@ using namespace shizuku::test;
 
 TEST(Pressure, ConservesMomentumWithoutWalls)
 {
-    for (const std::string word : {"DFSPH", "PCISPH", "WCSPH", "idealGas"})
+    for (const std::string word : {"Clavet2005", "DFSPH", "PCISPH", "WCSPH", "idealGas"})
     {
         LiquidCase drop;
-        const bool explicitly = word == "WCSPH" || word == "idealGas";
+        const bool explicitly = word == "Clavet2005" || word == "WCSPH" || word == "idealGas";
         const auto pressure = makePressure(drop, word, explicitly ? "maxSpeed 0.3;" : "maxIterations 3; tolerance 0;");
         RandomNumbers random(4);
         auto points = latticeBlock(8, 8, 8, 0.92f);

@@ -1,0 +1,38 @@
+#include "support/PairForceMeter.H"
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+// kappa W r with the cubic spline, times m [N]; whatever the case's kernel. Single precision: 1e-5.
+TEST(Becker2007, IsTheKernelTimesTheDistance)
+{
+    for (const std::string kernel : {"cubicSpline", "WendlandC2"})
+    {
+        LiquidCase drop({.kernel = "type " + kernel + "; support 2;"});
+        const auto tension = makeTension(drop, "Becker2007", "kappa 3e-6;");
+        const Reference<CubicSpline> W{2e-3};
+        for (const double r : {0.1, 0.7, 1.0, 1.5, 1.9})
+        {
+            const double expected = 3e-6 * 1e-6 * W.W(1e-3 * r) * 1e-3 * r;
+            EXPECT_NEAR(attraction(drop, *tension, r), expected, 1e-5 * expected) << r;
+        }
+        EXPECT_EQ(attraction(drop, *tension, 2.01), 0);
+    }
+}
+
+// Quadrature of what the model does: 200 places of the midpoint rule, 1e-3.
+TEST(Becker2007, HasTheTensionOfTheLiquid)
+{
+    for (const double support : {2.0, 3.0})
+    {
+        LiquidCase drop({.kernel = "type cubicSpline; support " + std::to_string(support) + ";"});
+        const auto tension = makeTension(drop, "Becker2007");
+        EXPECT_NEAR(tensionOfForce(drop, *tension, support), 0.072, 1e-3 * 0.072) << support;
+    }
+}
+
+TEST(Becker2007, RefusesANegativeCoefficient)
+{
+    LiquidCase drop;
+    EXPECT_TRUE(holds(messageOf([&] { makeTension(drop, "Becker2007", "kappa -1;"); }), {"constant/models", "kappa"}));
+}
