@@ -16,29 +16,29 @@ namespace
 
 constexpr float level = 0.5f;
 constexpr float wideSupport = 1.75f;        // of the second smoothing, supports of the first
+constexpr float meanSquares = 3.9f;         // of a triangle's sides, their sum, cells^2; by area, on a sphere
 
 // Of a kernel smoothing the half space below a plane: phi's slope on the plane, and s^2, half the mean square radius of W
 // in the plane. Where the plane bends to a sphere of radius R, the level 1/2 moves inwards by s^2/R (doc/theory/surface.md).
 struct PlaneMoments
 {
-    double slope = 0;           // 1/length
-    double s2 = 0;              // length^2
-
-    explicit PlaneMoments(const CubicSpline& W)
-    {
-        constexpr int intervals = 2000;
-        const double dr = double(W.h) / intervals;
-        double first = 0, third = 0;
-        for (int k = 0; k < intervals; ++k)
-        {
-            const double r = (k + 0.5) * dr, ring = W.W(float(r)) * r * dr;
-            first += ring;
-            third += ring * r * r;
-        }
-        slope = 2 * std::numbers::pi * first;
-        s2 = 0.5 * third / first;
-    }
+    float slope;                // 1/length
+    float s2;                   // length^2
 };
+
+PlaneMoments planeMoments(const CubicSpline& W)
+{
+    constexpr int intervals = 2000;
+    const double dr = double(W.h) / intervals;
+    double first = 0, third = 0;
+    for (int k = 0; k < intervals; ++k)
+    {
+        const double r = (k + 0.5) * dr, ring = W.W(float(r)) * r * dr;
+        first += ring;
+        third += ring * r * r;
+    }
+    return {float(2 * std::numbers::pi * first), float(0.5 * third / first)};
+}
 
 // V/S: scales the sum of W to 1 in liquid at rest.
 float volumeOf(float spacing, const CubicSpline& W)
@@ -175,20 +175,42 @@ struct PlaceVertices
     }
 };
 
-// Takes back what the smoothing moved the level on a bent surface: the level of a wider smoothing is further in, by an
-// amount that goes with s^2 of both.
-struct CorrectForCurvature
+// Moves a vertex from the level along its normal to the dividing surface, which leaves no excess of liquid on either side
+// (doc/theory/surface.md). Where the liquid is not deep enough for that, at edges and in films, only what the smoothing moved
+// the level by on a bent surface is taken back. The curvature is told by a wider smoothing, whose level lies further in.
+struct MoveToDividingSurface
 {
-    Indicator wide;
-    float gain;                             // s^2/(s_wide^2 - s^2)/slope_wide
-    float most;                             // s^2/h: that of a sphere of radius h, which is the smallest that is resolved
+    static constexpr int inward = 5, outward = 3;       // points of the sum along the normal
+    static constexpr float spacing = 0.25f;             // of these, supports
+    static constexpr float bulk = 0.98f, edge = 0.9f;   // phi of the two innermost: deep enough, not at all
+
+    Indicator phi, wide;
+    PlaneMoments moments, wideMoments;
+    float chord;                            // times the curvature: how far the middle of triangles lies below their corners
     Span<const Vec3> normals;
     Span<Vec3> vertices;
 
     HOST_DEVICE void operator()(int v) const
     {
-        const float shift = gain * (level - wide.value(vertices[v]));
-        vertices[v] += fminf(fmaxf(shift, -most), most) * normals[v];
+        const Vec3 x = vertices[v], n = normals[v];
+        const float wideLevel = (wide.value(x) - level) / wideMoments.slope;
+        const float step = spacing * phi.W.h;
+        float excess = 0, moment = -step * step / 24, deep = bulk;
+        for (int k = -inward; k < outward; ++k)
+        {
+            const float t = (float(k) + 0.5f) * step;
+            const float value = phi.value(x + t * n), extra = (value - (k < 0 ? 1.0f : 0.0f)) * step;
+            excess += extra;
+            moment += extra * t;
+            if (k < 2 - inward) deep = fminf(deep, value);
+        }
+        const float curvature = (excess - wideLevel) / fmaxf(wideMoments.s2 - 2 * moment, 0.5f * wideMoments.s2);
+        const float whole = excess + (2 * moment + chord) * curvature;
+        const float bent = -wideLevel * moments.s2 / (wideMoments.s2 - moments.s2);
+        const float part = fmaxf((deep - edge) / (bulk - edge), 0.0f);
+        const float shift = part * whole + (1 - part) * bent;
+        const float most = moments.s2 / phi.W.h;        // that of a sphere of radius h, the smallest that is resolved
+        vertices[v] += fminf(fmaxf(shift, -most), most) * n;
     }
 };
 
@@ -311,10 +333,16 @@ void LiquidSurface::placeVertices()
     const Indicator phi{kernel_, volume_, grid_.view(), particles_.span()};
     forEach(count, PlaceVertices{field, phi, edges_.span(), vertices_.span(), normals_.span()});
 
-    const PlaneMoments moments(kernel_), wideMoments(wideKernel_);
-    const float gain = float(moments.s2 / ((wideMoments.s2 - moments.s2) * wideMoments.slope));
     const Indicator wide{wideKernel_, wideVolume_, grid_.view(), particles_.span()};
-    forEach(count, CorrectForCurvature{wide, gain, float(moments.s2) / kernel_.h, normals_.span(), vertices_.span()});
+    const float chord = meanSquares / 24 * blocks_.view().cell * blocks_.view().cell;
+    forEach
+    (
+        count,
+        MoveToDividingSurface
+        {
+            phi, wide, planeMoments(kernel_), planeMoments(wideKernel_), chord, normals_.span(), vertices_.span()
+        }
+    );
 }
 
 void LiquidSurface::placeTriangles()

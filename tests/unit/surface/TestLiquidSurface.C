@@ -59,20 +59,46 @@ void expectSurface(const TriangleMesh& mesh)
 
 }
 
-// Without the correction for curvature a ball of radius R loses 3 s^2/R^2 of its volume, s^2 = 0.316 spacings^2: 5.9, 2.6 and
-// 0.9 % here. With it what remains is of higher order in 1/R, and the steps of the lattice: 0.2 %.
+// The level of a ball of radius R encloses 3 s^2/R^2 too little, s^2 = 0.316 spacings^2: 5.9, 2.6 and 0.9 % here. At the dividing
+// surface what remains is of higher order in 1/R, and the steps of the lattice.
 TEST(LiquidSurface, KeepsTheVolumeOfBalls)
 {
-    for (const float radius : {4.0f, 6.0f, 10.0f})
+    struct Ball { float radius; double tolerance; };
+    for (const auto& [radius, tolerance] : std::vector<Ball>{{4, 0.004}, {6, 0.002}, {10, 0.001}})
     {
         const auto ball = latticeBall(radius, {3, -2, 40});
         const TriangleMesh mesh = meshOf(ball);
         expectSurface(mesh);
         EXPECT_EQ(connectedComponents(mesh).size(), 1u);
-        EXPECT_NEAR(mesh.volume() / double(ball.size()), 1, 0.002) << radius;
+        EXPECT_NEAR(mesh.volume() / double(ball.size()), 1, tolerance) << radius;
         const Vector3 centre = mesh.centroid();
         EXPECT_NEAR(length(centre - Vector3(3, -2, 40)), 0, 1e-3);      // the lattice is symmetric about it
     }
+}
+
+// In liquid that tension has moved the outermost layer is packed closer than inside, and the next one looser. A body 40 wide of
+// layers of 40^2 that has 41^2 in its last one and 39^2 in that before: its face is at 0 still, but for 2/1600 of a layer, where
+// the level, taken back for curvature alone, is at 0.03. The layers do not fit to each other: the mean over the face tells.
+TEST(LiquidSurface, FindsTheFaceBehindUnevenLayers)
+{
+    std::vector<Vec3> body;
+    for (int layer = 0; layer < 10; ++layer)
+    {
+        const int n = layer == 0 ? 41 : layer == 1 ? 39 : 40;
+        const float step = 40.0f / float(n);
+        for (const Vec3 p : latticeBlock(n, n, 1, step, {step / 2 - 20, step / 2 - 20, -float(layer) - 0.5f})) body.push_back(p);
+    }
+    const TriangleMesh mesh = meshOf(body);
+    expectSurface(mesh);
+    double sum = 0;
+    int count = 0;
+    for (const Vector3& x : mesh.vertices)
+    {
+        if (x.z < -2 || std::max(std::abs(x.x), std::abs(x.y)) > 15) continue;
+        sum += x.z;
+        ++count;
+    }
+    EXPECT_NEAR(sum / count, 0, 0.008);
 }
 
 // Caps on a wall, with the edge at their contact line: of 2000 particles the volume is within 1 % of the particles', of 500
