@@ -195,6 +195,7 @@ struct MoveToDividingSurface
         const Vec3 x = vertices[v], n = normals[v];
         const float wideLevel = (wide.value(x) - level) / wideMoments.slope;
         const float step = spacing * phi.W.h;
+        // The sum by the midpoint rule is too large where the integrand's slope jumps by 1, at t = 0.
         float excess = 0, moment = -step * step / 24, deep = bulk;
         for (int k = -inward; k < outward; ++k)
         {
