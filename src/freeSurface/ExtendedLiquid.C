@@ -15,7 +15,7 @@ constexpr double degree = 3.14159265358979323846 / 180;
 // Integrals of the kernel along the contact line's direction, over the distance from that line's plane of symmetry.
 struct Marginal
 {
-    float value, slope;             // of W or |W'| r, of W'/r
+    float value, slope;             // of W, of W'/r
 };
 
 struct MarginalView
@@ -33,7 +33,7 @@ struct MarginalView
     }
 };
 
-std::vector<Marginal> tabulateMarginals(const KernelChoice& kernel, ExtendedLiquid::Value which)
+std::vector<Marginal> tabulateMarginals(const KernelChoice& kernel)
 {
     constexpr int n = 512, parts = 200;
     const float h = supportOf(kernel);
@@ -50,9 +50,8 @@ std::vector<Marginal> tabulateMarginals(const KernelChoice& kernel, ExtendedLiqu
                 {
                     const double y = length * (k + 0.5) / parts, r = std::sqrt(x * x + y * y);
                     // Of the kernel with support 1.
-                    const double w = W.W(float(r * h)) * h * h * h, g = W.g(float(r * h)) * h * h * h * h * h;
-                    value += which == ExtendedLiquid::Value::kernel ? w : -g * r * r;
-                    slope += g;
+                    value += W.W(float(r * h)) * h * h * h;
+                    slope += W.g(float(r * h)) * h * h * h * h * h;
                 }
                 table[i] = {float(2 * length / parts * value), float(2 * length / parts * slope)};
             }
@@ -66,7 +65,6 @@ struct Integrate
 {
     MarginalView marginal;
     float firstAngle, angleStep, cutDepth;
-    bool alongInterface;
     Span<WedgeIntegrals> table;
 
     HOST_DEVICE void operator()(int entry) const
@@ -101,8 +99,7 @@ struct Integrate
             {
                 const float along = from + (to - from) * (float(j) + 0.5f) / n;
                 const Marginal m = marginal(sqrtf(along * along + below * below));
-                const float up = alongInterface ? along * sine + below * cosine : 0;
-                value += (m.value + m.slope * up * up) * area;
+                value += m.value * area;
                 tangential -= m.slope * along * area;
                 normal -= m.slope * below * area;
             }
@@ -115,7 +112,7 @@ struct Integrate
 
 ExtendedLiquid::ExtendedLiquid
 (
-    const KernelChoice& kernel, double smallestTheta, double largestTheta, Value value, float cutDepth
+    const KernelChoice& kernel, double smallestTheta, double largestTheta, float cutDepth
 )
 {
     constexpr double widest = 5;
@@ -124,10 +121,9 @@ ExtendedLiquid::ExtendedLiquid
     firstAngle_ = float(smallestTheta * degree);
     angleStep_ = steps > 0 ? float((largestTheta - smallestTheta) * degree / steps) : 1;
 
-    const Buffer<Marginal> marginals(tabulateMarginals(kernel, value));
+    const Buffer<Marginal> marginals(tabulateMarginals(kernel));
     table_.resize(angles_ * (ExtendedLiquidView::distances + 1) * (ExtendedLiquidView::depths + 1));
-    const bool alongInterface = value == Value::alongInterface;
-    forEach(table_.size(), Integrate{{marginals.span()}, firstAngle_, angleStep_, cutDepth, alongInterface, table_.span()});
+    forEach(table_.size(), Integrate{{marginals.span()}, firstAngle_, angleStep_, cutDepth, table_.span()});
     synchronize();                          // the marginals go out of scope
 }
 

@@ -21,7 +21,7 @@ struct Reconstruct
     WallCompletion completion;
     HalfSpaceView plane;
     Span<const float> depthOfRatio;
-    float largestRatio, suction;
+    float largestRatio, suction, steepest;
     Span<Vec3> gradient;
     Span<float> depth;
     Span<ContactLine> contact;
@@ -85,21 +85,29 @@ private:
         if (line.wall < 0) return line;
 
         line.theta = acosf(fminf(fmaxf(cosine, -1), 1));
-        const Vec3 along = G - dot(G, normal) * normal;
-        line.tangent = -1 / fmaxf(norm(along), 1e-20f) * along;
 
-        // The other walls count as full.
+        // The other walls count as full, with what of them lies in front of this one.
         float open = 1;
+        Vec3 others;
         completion.walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
         {
-            if (a != line.wall) open *= 1 - completion.extended(line.theta, wall.distance / W.h, 1).value;
+            if (a == line.wall) return;
+            const WedgeIntegrals full = completion.extended(line.theta, wall.distance / W.h, 1);
+            others = (1 - full.value) * others + open * full.normal / W.h * wall.normal;
+            open *= 1 - full.value;
         });
-        line.depth = depthBelow(colour + 1 - open, nearest / W.h, line.theta);
+        const float inFront = 1 - completion.extended(line.theta, nearest / W.h, 1).value;
+        colour += inFront * (1 - open);
+        G += inFront * others;
+        const Vec3 along = G - dot(G, normal) * normal;
+        const float slope = norm(along);
+        line.tangent = -1 / fmaxf(slope, 1e-20f) * along;
+        line.depth = depthBelow(colour, slope, nearest / W.h, line.theta);
         const WallSurfacesView& surfaces = completion.walls.surfaces;
         if (line.wall < surfaces.count && surfaces.surface[line.wall].type != WallSurface::plane)
         {
             line.theta = angleFromAfar(surfaces.surface[line.wall], xi, nearest, normal, line);
-            line.depth = depthBelow(colour + 1 - open, nearest / W.h, line.theta);
+            line.depth = depthBelow(colour, slope, nearest / W.h, line.theta);
         }
         return line;
     }
@@ -119,17 +127,39 @@ private:
         return acosf(fminf(fmaxf(dot(interface, normal), -1), 1));
     }
 
-    // The depth at which the wall's side of a planar interface would have that much colour in front of it.
-    HOST_DEVICE float depthBelow(float colour, float z, float theta) const
+    // The depth at which a planar interface that meets the wall at theta would leave that much colour, and that slope of it
+    // along the wall, to the liquid in front of the wall: least squares of both, each over its largest value.
+    HOST_DEVICE float depthBelow(float colour, float slope, float z, float theta) const
     {
-        float low = -W.h, high = W.h;
-        for (int k = 0; k < 12; ++k)
+        const float sine = sinf(theta);
+        const auto misfit = [&](float s)
         {
-            const float s = 0.5f * (low + high);
-            const float inFront = 1 - plane(s).density - completion.extended(theta, z, s / W.h).value;
-            (inFront < colour ? low : high) = s;
+            const HalfSpaceValues gas = plane(s);
+            const WedgeIntegrals wedge = completion.extended(theta, z, s / W.h);
+            const float c = colour - (1 - gas.density - wedge.value);
+            const float g = (sine * gas.gradient + wedge.tangential / W.h - slope) / steepest;
+            return c * c + g * g;
+        };
+        constexpr int trials = 12;
+        float best = -W.h, least = misfit(best);
+        for (int k = 1; k <= trials; ++k)
+        {
+            const float s = (2 * float(k) / trials - 1) * W.h, here = misfit(s);
+            if (here >= least) continue;
+            least = here;
+            best = s;
         }
-        return 0.5f * (low + high);
+        for (float step = W.h / trials; step > 0.005f * W.h; step *= 0.5f)
+        {
+            for (const float s : {best - step, best + step})
+            {
+                const float here = s <= W.h ? misfit(s) : least;
+                if (here >= least) continue;
+                least = here;
+                best = s;
+            }
+        }
+        return best;
     }
 
     HOST_DEVICE float depthOf(float ratio) const
@@ -191,7 +221,7 @@ void FreeSurface::update(const Liquid& liquid, const Neighbourhood& near, const 
     if (!extended_)
     {
         const auto [smallest, largest] = walls.contactAngles(kernel_->h);
-        extended_.emplace(*kernel_, smallest, largest, ExtendedLiquid::Value::kernel);
+        extended_.emplace(*kernel_, smallest, largest);
     }
     gradient_.resizeDiscarding(liquid.all());
     depth_.resizeDiscarding(liquid.all());
@@ -202,7 +232,7 @@ void FreeSurface::update(const Liquid& liquid, const Neighbourhood& near, const 
         *kernel_, liquid.particleVolume() / latticeSum_, liquid.predicted.span(), near.wide(liquid), near.view(),
         leastInside(liquid),
         {extended_->view(), kernel_->h, walls.view()}, {plane_.span(), kernel_->h}, depthOfRatio_.span(), largestRatio_,
-        suction_, gradient_.span(), depth_.span(), contact_.span(), lowestPressure_.span()
+        suction_, steepest_, gradient_.span(), depth_.span(), contact_.span(), lowestPressure_.span()
     });
 }
 

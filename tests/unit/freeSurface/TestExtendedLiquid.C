@@ -50,7 +50,7 @@ struct Sums
 template<class Kernel>
 Sums bruteForce
 (
-    double theta, double z, double s, Side side, bool alongInterface = false, double deepest = 2
+    double theta, double z, double s, Side side, double deepest = 2
 )
 {
     constexpr int n = 40;
@@ -79,8 +79,8 @@ Sums bruteForce
             for (int c = 0; c < n; ++c)
             {
                 const double u = from + (to - from) * (c + 0.5) / n, r = std::sqrt(u * u + v * v + w * w);
-                const double slope = W.slope(r), up = u * sine + w * cosine;
-                sums.value += volume * (alongInterface ? -slope / r * (r * r - up * up) : W.W(r));
+                const double slope = W.slope(r);
+                sums.value += volume * W.W(r);
                 sums.tangential -= volume * slope / r * u;
                 sums.normal -= volume * slope / r * w;
             }
@@ -117,7 +117,7 @@ public:
 private:
     static const Table& shared()
     {
-        static const Table once(ExtendedLiquid(Type(1.7f), 30, 150, ExtendedLiquid::Value::kernel));
+        static const Table once(ExtendedLiquid(Type(1.7f), 30, 150));
         return once;
     }
 };
@@ -178,8 +178,8 @@ TYPED_TEST(ExtendedLiquidOf, DeepInsideIsTheWholeHalfSpace)
 
 TYPED_TEST(ExtendedLiquidOf, IsEmptyAt180DegreesAndFullAtZero)
 {
-    const Table empty(ExtendedLiquid(this->W, 180, 180, ExtendedLiquid::Value::kernel));
-    const Table full(ExtendedLiquid(this->W, 0, 0, ExtendedLiquid::Value::kernel));
+    const Table empty(ExtendedLiquid(this->W, 180, 180));
+    const Table full(ExtendedLiquid(this->W, 0, 0));
     const auto values = tabulateHalfSpace(TypeParam(1));
     const HalfSpaceView halfSpace{{values.data(), int(values.size())}, 1};
     for (const double z : {0.0, 2 / 24.0, 0.5})
@@ -245,18 +245,17 @@ TYPED_TEST(ExtendedLiquidOf, GradientIsThatOfTheValue)
             }
 }
 
-// |W'|/r times the squared distance along the interface over what lies no deeper than the cut, and the gradients over
-// the same. The midpoint rules again; the largest value is one.
-TYPED_TEST(ExtendedLiquidOf, WeighsTheDistanceAlongTheInterface)
+// Only what lies no deeper than the cut counts. The midpoint rules again; the largest value is one.
+TYPED_TEST(ExtendedLiquidOf, EndsAtTheCut)
 {
     constexpr double deepest = 0.4;
-    const Table table(ExtendedLiquid(this->W, 45, 120, ExtendedLiquid::Value::alongInterface, float(deepest)));
+    const Table table(ExtendedLiquid(this->W, 45, 120, float(deepest)));
     for (const double theta : {45.0, 60.0, 90.0, 120.0})
         for (const double z : {0.0, 4 / 24.0, 10 / 24.0})
             for (const double s : {-6 / 24.0, 2 / 24.0, 9 / 24.0})
             {
                 const auto found = table(theta, z, s);
-                const Sums expected = bruteForce<TypeParam>(theta, z, s, Side::wall, true, deepest);
+                const Sums expected = bruteForce<TypeParam>(theta, z, s, Side::wall, deepest);
                 const double gradient = 5e-4 * steepest<TypeParam>();
                 EXPECT_NEAR(found.value, expected.value, 5e-4) << theta << " " << z << " " << s;
                 EXPECT_NEAR(found.tangential, expected.tangential, gradient) << theta << " " << z << " " << s;

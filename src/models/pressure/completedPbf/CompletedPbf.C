@@ -122,7 +122,7 @@ public:
         if (!extended_)
         {
             const auto [smallest, largest] = walls.contactAngles(surface_.support());
-            extended_.emplace(liquid.kernel(), smallest, largest, ExtendedLiquid::Value::kernel);
+            extended_.emplace(liquid.kernel(), smallest, largest);
         }
         increase_.resizeDiscarding(liquid.all());
         std::visit

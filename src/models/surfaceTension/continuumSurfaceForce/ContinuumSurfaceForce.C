@@ -2,18 +2,23 @@
 // liquid's extension at the contact angle.
 //
 //     m_i     = -G_i/|G_i|                                        the outward normal
-//     kappa_i = 2 sum_j w_ij (x_j - x_i).(m_j - m_i) / sum_j w_ij t_ij^2,    w_ij = V |W'_ij|/r_ij,    j near the surface
-//     t_ij^2  = r_ij^2 - (x_ij . m_ij)^2                          m_ij: unit vector along m_i + m_j
-//     kappa   : brought up to the surface, kappa_i/(1 + kappa_i D_i/2), D_i the mean depth of the pairs; then the mean
-//               over the neighbours, weighted by W |G|
+//     n_i     = sum_j W_ij |G_j| m_j / |...|                      its mean over the neighbours
+//     kappa_i = 2 sum_j w_ij (x_j - x_i).(n_j - n_i) / sum_j w_ij t_ij^2,    w_ij = V |W'_ij|/r_ij,    j near the surface
+//     t_ij^2  = r_ij^2 - (x_ij . n_ij)^2                          n_ij: unit vector along n_i + n_j
+//     kappa   : brought up to the surface, kappa_i/(1 + kappa_i D_i/2), D_i the mean depth of the pairs
 //     a_i     = 2 sigma kappa G_i / rho0
 //
 // On a sphere each pair gives exactly 2/r at the pair's mean radius. The 2 of a_i: |G| integrates to one across the
 // surface, and only its inner half carries particles. Near the surface means |G| above 0.3 of a planar surface's;
-// particles with normals apart by more than a right angle lie on different surfaces. Of the wall's wedge every point has
-// the normal sin(theta) t + cos(theta) n. No cohesion enters, so no internal pressure locks the particles; sigma and theta
-// are the user's, and nothing is fitted. Where the surface is hollow the pressure behind it may fall to 1.5 sigma kappa,
-// and to -sigma/d away from the surface.
+// particles with normals apart by more than a right angle lie on different surfaces.
+//
+// Every point of the wall's wedge has the normal m_c = sin(theta) t + cos(theta) n. On a curved surface that meets the wall
+// at theta the normals differ by kappa tau, with tau the distance of a particle from the contact line along the surface.
+// So the wedge weighs tau int w (u.(x - y)) dy, u pointing along the surface away from the wall: of a surface of constant
+// curvature it then says the same as the liquid, and of one at another angle it gives the whole of Young's force.
+//
+// No cohesion enters, so no internal pressure locks the particles; sigma and theta are the user's, and nothing is fitted.
+// Where the surface is hollow the pressure behind it may fall to 1.5 sigma kappa, and to -sigma/d away from the surface.
 //
 // The tension of closed surfaces has no resultant; the sums have a small one, which would set free liquid moving. Where no
 // wall is that could hold against it, it is taken off all particles alike.
@@ -35,6 +40,7 @@ namespace
 constexpr float nearSurface = 0.3f;         // of the planar |G|
 constexpr float sharpest = 0.7f;            // largest |kappa|, times the spacing
 constexpr float holds = 1.5f;               // lowest pressure at a hollow surface, over sigma kappa
+constexpr float flattest = 0.05f;           // least sin(theta) for the distance from the contact line
 
 struct Normal
 {
@@ -52,27 +58,60 @@ struct Normal
 
 HOST_DEVICE inline bool isNearSurface(Vec3 normal) { return squared(normal) > 0.25f; }
 
-struct Curvature
+HOST_DEVICE inline bool onSameSurface(Vec3 mi, Vec3 mj) { return isNearSurface(mj) && dot(mi, mj) >= 0; }
+
+// Single normals are tilted by a few degrees where the particles stand in layers along a wall; their mean is not.
+struct SmoothNormal
 {
     WendlandC2 W;
-    float volume, largest;
+    Span<const Vec3> x, normal;
+    NeighbourSearch near;
+    FreeSurfaceView surface;
+    Span<Vec3> smooth;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 xi = x[i], mi = normal[i];
+        smooth[i] = {};
+        if (!isNearSurface(mi)) return;
+        Vec3 sum = W.W(0) * norm(surface.gradient[i]) * mi;
+        near.forEach(i, [&](int j)
+        {
+            if (onSameSurface(mi, normal[j])) sum += W.W(norm(xi - x[j])) * norm(surface.gradient[j]) * normal[j];
+        });
+        smooth[i] = 1 / norm(sum) * sum;
+    }
+};
+
+struct Force
+{
+    WendlandC2 W;
+    float volume, largest, sigma, restDensity;
     Span<const Vec3> x, normal;
     NeighbourSearch near;
     FreeSurfaceView surface;
     ExtendedLiquidView extended;
     WallView walls;
-    Span<float> curvature;
+    Span<float> lowestPressure;
+    Span<Vec3> acceleration;
 
     HOST_DEVICE void operator()(int i) const
     {
+        if (!isNearSurface(normal[i])) return;
+        const float jump = sigma * curvature(i);
+        lowestPressure[i] = fminf(fmaxf(holds * jump, lowestPressure[i]), 0);
+        acceleration[i] += 2 * jump / restDensity * surface.gradient[i];
+    }
+
+private:
+    HOST_DEVICE float curvature(int i) const
+    {
         const Vec3 xi = x[i], mi = normal[i];
-        curvature[i] = 0;
-        if (!isNearSurface(mi)) return;
         float spread = 0, weight = 0, depth = 0;
         near.forEach(i, [&](int j)
         {
             const Vec3 mj = normal[j];
-            if (!isNearSurface(mj) || dot(mi, mj) < 0) return;
+            if (!onSameSurface(mi, mj)) return;
             const Vec3 r = xi - x[j], mean = mi + mj;
             const float slope = -volume * W.g(norm(r)), up = dot(r, mean);
             const float along = slope * (squared(r) - up * up / squared(mean));
@@ -85,43 +124,18 @@ struct Curvature
         {
             if (a != line.wall) return;
             const WedgeIntegrals wedge = extended(line.theta, wall.distance / W.h, line.depth / W.h);
-            const Vec3 bend = sinf(line.theta) * line.tangent + cosf(line.theta) * wall.normal - mi;
-            spread += dot(wedge.tangential / W.h * line.tangent + wedge.normal / W.h * wall.normal, bend);
-            weight += wedge.value;
-            depth += wedge.value * surface.depth[i];
+            const Vec3 slope = 1 / W.h * (wedge.tangential * line.tangent + wedge.normal * wall.normal);
+            const float sine = sinf(line.theta), cosine = cosf(line.theta);
+            const Vec3 upward = sine * wall.normal - cosine * line.tangent;
+            const float fromLine = (wall.distance + cosine * line.depth) / fmaxf(sine, flattest);
+            const float along = fmaxf(0, -fromLine * dot(slope, upward));
+            spread += dot(slope, sine * line.tangent + cosine * wall.normal - mi);
+            weight += along;
+            depth += along * surface.depth[i];
         });
-        if (weight <= 0) return;
+        if (weight <= 0) return 0;
         const float kappa = fminf(fmaxf(2 * spread / weight, -largest), largest);
-        curvature[i] = kappa / fmaxf(0.3f, 1 + 0.5f * kappa * depth / weight);
-    }
-};
-
-struct Smooth
-{
-    WendlandC2 W;
-    Span<const Vec3> x, normal;
-    Span<const float> curvature;
-    NeighbourSearch near;
-    FreeSurfaceView surface;
-    float sigma, restDensity;
-    Span<float> lowestPressure;
-    Span<Vec3> acceleration;
-
-    HOST_DEVICE void operator()(int i) const
-    {
-        if (!isNearSurface(normal[i])) return;
-        const Vec3 xi = x[i], G = surface.gradient[i];
-        float weight = W.W(0) * norm(G), sum = weight * curvature[i];
-        near.forEach(i, [&](int j)
-        {
-            if (!isNearSurface(normal[j])) return;
-            const float w = W.W(norm(xi - x[j])) * norm(surface.gradient[j]);
-            weight += w;
-            sum += w * curvature[j];
-        });
-        const float jump = sigma * sum / weight;
-        lowestPressure[i] = fminf(fmaxf(holds * jump, lowestPressure[i]), 0);
-        acceleration[i] += 2 * jump / restDensity * G;
+        return kappa / fmaxf(0.3f, 1 + 0.5f * kappa * depth / weight);
     }
 };
 
@@ -184,19 +198,15 @@ public:
         const WendlandC2 W = surface_.kernel();
         if (!extended_) tabulate(walls);
         normal_.resizeDiscarding(liquid.all());
-        curvature_.resizeDiscarding(liquid.all());
+        smooth_.resizeDiscarding(liquid.all());
         const FreeSurfaceView view = surface_.view();
         const Span<const Vec3> x = liquid.predicted.span();
         forEach(liquid.owned(), Normal{view, nearSurface * surface_.steepest(), normal_.span()});
-        forEach(liquid.owned(), Curvature
+        forEach(liquid.owned(), SmoothNormal{W, x, normal_.span(), near.wide(liquid), view, smooth_.span()});
+        forEach(liquid.owned(), Force
         {
-            W, liquid.particleVolume(), sharpest / liquid.spacing(), x, normal_.span(), near.wide(liquid), view,
-            extended_->view(), walls.view(), curvature_.span()
-        });
-        forEach(liquid.owned(), Smooth
-        {
-            W, x, normal_.span(), curvature_.span(), near.wide(liquid), view, sigma_, liquid.restDensity(),
-            surface_.lowestPressure(), acceleration.span()
+            W, liquid.particleVolume(), sharpest / liquid.spacing(), sigma_, liquid.restDensity(), x, smooth_.span(),
+            near.wide(liquid), view, extended_->view(), walls.view(), surface_.lowestPressure(), acceleration.span()
         });
         if (walls.particles() == 0 && walls.surfaces() == 0) balance(liquid, acceleration);
     }
@@ -223,14 +233,13 @@ private:
             (view(s).gradient > nearSurface * surface_.steepest() ? low : high) = s;
         }
         const auto [smallest, largest] = walls.contactAngles(W.h);
-        extended_.emplace(W, smallest, largest, ExtendedLiquid::Value::alongInterface, low / W.h);
+        extended_.emplace(W, smallest, largest, low / W.h);
     }
 
     FreeSurface& surface_;
     float sigma_;
     std::optional<ExtendedLiquid> extended_;
-    Buffer<Vec3> normal_;
-    Buffer<float> curvature_;
+    Buffer<Vec3> normal_, smooth_;
     Buffer<Resultant> scratch_;
 };
 
