@@ -33,7 +33,8 @@ void drawChart(const fs::path& chart, const std::string& commands, int width, in
                << "set encoding utf8\n"
                << "set terminal pngcairo noenhanced size " << size << " font \",11\"; set output \"" << name << ".png\"\n"
                << commands
-               << "\nset terminal svg noenhanced size " << size << " font \"sans,11\" background rgb \"white\"; set output \"" << name << ".svg\"\n"
+               << "\nset terminal svg noenhanced size " << size << " font \"sans,11\" background rgb \"white\"\n"
+               << "set output \"" << name << ".svg\"\n"
                << "replot\n";
     });
     if (std::system("command -v gnuplot >/dev/null") != 0)

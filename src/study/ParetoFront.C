@@ -23,7 +23,8 @@ std::vector<bool> paretoFront(const std::vector<CostAndError>& points)
     std::vector<bool> front;
     for (const CostAndError& p : points)
     {
-        front.push_back(known(p) && std::none_of(points.begin(), points.end(), [&](const auto& other) { return beats(other, p); }));
+        const auto beatsThis = [&](const CostAndError& other) { return beats(other, p); };
+        front.push_back(known(p) && std::none_of(points.begin(), points.end(), beatsThis));
     }
     return front;
 }

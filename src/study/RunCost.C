@@ -30,7 +30,10 @@ void readLog(const std::filesystem::path& log, RunCost& cost)
     {
         if (std::regex_match(line, match, particles)) cost.particles = std::stod(match[1]);
         else if (std::regex_match(line, match, time)) times.push_back(std::stod(match[1]));
-        else if (std::regex_match(line, match, execution) && executions.size() < times.size()) executions.push_back(std::stod(match[1]));
+        else if (std::regex_match(line, match, execution) && executions.size() < times.size())
+        {
+            executions.push_back(std::stod(match[1]));
+        }
         else if (std::regex_match(line, match, step))
         {
             sum += std::stod(match[1]);

@@ -110,14 +110,47 @@ void vary(Study& study, const Dictionary& variant)
         {
             const auto& all = study.axes[axis].choices;
             const bool isWord = !all.front().values.empty() && all.front().values.front().first == name;
-            const auto known = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == nameOf(choice.text); });
-            if (known != all.end() || !isWord) chosen.push_back(all[study.axes[axis].find(choice)]);
+            const auto isChosen = [&](const CaseChoice& each) { return each.name == nameOf(choice.text); };
+            if (!isWord || std::any_of(all.begin(), all.end(), isChosen)) chosen.push_back(all[study.axes[axis].find(choice)]);
             else chosen.push_back({nameOf(choice.text), {{name, choice}}, {}, {}, {}});
         }
         if (chosen.empty()) throw FatalInputError(axes.where(name), "Axis '" + name + "' has no choice: the grid is empty");
         study.axes[axis].choices = chosen;
     }
     for (const auto& [word, value] : pairsOf(variant, "values")) replaceValue(study.common, word, value);
+}
+
+void readLeftOut(Study& study, bool isVariant)
+{
+    const Dictionary leaveOut = study.dict.subDictOrEmpty("leaveOut");
+    for (const std::string& name : leaveOut.keys())
+    {
+        const Dictionary each = leaveOut.subDict(name);
+        study.leftOut.emplace_back();
+        for (const std::string& word : each.keys())
+        {
+            const std::size_t axis = study.axis({word, each.where(word)});
+            study.leftOut.back().push_back({axis, {}});
+            for (const StudyText& choice : listOf(each, word))
+            {
+                if (!isVariant) study.axes[axis].find(choice);      // a variant may have other choices
+                study.leftOut.back().back().second.push_back(nameOf(choice.text));
+            }
+        }
+    }
+}
+
+bool isLeftOut(const Study& study, const StudyRun& run)
+{
+    const auto matches = [&](const auto& one)
+    {
+        const auto& [axis, names] = one;
+        return std::find(names.begin(), names.end(), study.axes[axis].choices[run.choices[axis]].name) != names.end();
+    };
+    return std::any_of(study.leftOut.begin(), study.leftOut.end(), [&](const auto& rule)
+    {
+        return std::all_of(rule.begin(), rule.end(), matches);
+    });
 }
 
 // Words that valuesFile does not have would change nothing.
@@ -152,7 +185,10 @@ std::size_t StudyAxis::find(const StudyText& choice) const
     for (const CaseChoice& each : choices) names.push_back(each.name);
     const auto found = std::find(names.begin(), names.end(), nameOf(choice.text));
     if (found != names.end()) return found - names.begin();
-    throw FatalInputError(choice.where, "Axis '" + name + "' has no choice '" + choice.text + "'", "one of its choices", names, choice.text);
+    throw FatalInputError
+    (
+        choice.where, "Axis '" + name + "' has no choice '" + choice.text + "'", "one of its choices", names, choice.text
+    );
 }
 
 Study Study::read(const fs::path& given, const std::string& variant)
@@ -182,10 +218,15 @@ Study Study::read(const fs::path& given, const std::string& variant)
     {
         if (!variants.found(variant))
         {
-            throw FatalInputError(study.dict.where(), "The study has no variant '" + variant + "'", "one of its variants", variants.keys(), variant);
+            throw FatalInputError
+            (
+                study.dict.where(), "The study has no variant '" + variant + "'", "one of its variants", variants.keys(),
+                variant
+            );
         }
         vary(study, variants.subDict(variant));
     }
+    readLeftOut(study, !variant.empty());
     checkWords(study);
     return study;
 }
@@ -216,6 +257,8 @@ std::vector<StudyRun> runsOf(const Study& study)
         }
         runs = longer;
     }
+    std::erase_if(runs, [&](const StudyRun& run) { return isLeftOut(study, run); });
+    if (runs.empty()) throw FatalInputError(study.dict.where("leaveOut"), "Every combination is left out: the grid is empty");
     return runs;
 }
 

@@ -93,7 +93,10 @@ void setEntry(StudyCase& result, const CaseChoice::Entry& entry)
     {
         std::vector<std::string> names;
         for (const auto& [name, each] : result.files) names.push_back(name);
-        throw FatalInputError(entry.value.where, "The case has no file '" + entry.file + "'", "a file of the case", names, entry.file);
+        throw FatalInputError
+        (
+            entry.value.where, "The case has no file '" + entry.file + "'", "a file of the case", names, entry.file
+        );
     }
     DictionaryEditor editor(file->second.text, entry.file);
     const std::vector<std::string> beside = editor.keywordsBeside(entry.entry);
@@ -127,7 +130,10 @@ std::string withWords(const std::string& text, const Words& words, const SourceL
             std::vector<std::string> known;
             for (const auto& [name, value] : words) known.push_back(name);
             const int line = where.line > 0 ? where.line : 1 + int(std::count(text.cbegin(), (*match)[0].first, '\n'));
-            throw FatalInputError({where.file, line}, "The word " + match->str() + " has no value", "one of valuesFile", known, (*match)[1]);
+            throw FatalInputError
+            (
+                {where.file, line}, "The word " + match->str() + " has no value", "one of valuesFile", known, (*match)[1]
+            );
         }
         result += word->second;
     }

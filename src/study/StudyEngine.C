@@ -47,6 +47,14 @@ std::string textOf(const CsvFile::Cell& cell)
     return stream.str();
 }
 
+// Paths below the case as the case has them.
+std::string withoutFolder(std::string text, const fs::path& folder)
+{
+    const std::string part = folder.string() + "/";
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part)) text.erase(at, part.size());
+    return text;
+}
+
 // One line, without what would divide a row of a table.
 std::string asCell(std::string text)
 {
@@ -104,11 +112,11 @@ void reportDeaths(const std::vector<RunOutcome>& outcomes)
 std::vector<Option> studyOptions()
 {
     std::vector<Option> options = placeOptions(1);
-    options.push_back({"output", "DIR", "where cases, tables and charts go (default: studies/<name> below $SHIZUKU_RUN, or below run)", ""});
+    options.push_back({"output", "DIR", "where cases, tables and charts go (default: studies/<name> below $SHIZUKU_RUN or run)", ""});
     options.push_back({"variant", "NAME", "other choices of the axes, as the study names them", ""});
     options.push_back({"quick", "", "-variant quick: seconds", ""});
     options.push_back({"retry", "", "run again what died", ""});
-    options.push_back({"prepare", "", "make the cases and sample their solids only; both can be brought to a machine without CGAL", ""});
+    options.push_back({"prepare", "", "sample the solids only, to bring them to a machine without CGAL", ""});
     options.push_back({"draw", "", "run nothing: measure and draw what is there", ""});
     return options;
 }
@@ -118,7 +126,10 @@ namespace
 
 std::string variantOf(const Arguments& args)
 {
-    if (args.found("quick") && args.found("variant")) throw FatalInputError({}, "-quick and -variant exclude each other", "one of them");
+    if (args.found("quick") && args.found("variant"))
+    {
+        throw FatalInputError({}, "-quick and -variant exclude each other", "one of them");
+    }
     return args.found("variant") ? args.get("variant") : args.found("quick") ? "quick" : "";
 }
 
@@ -128,7 +139,8 @@ Study readStudy(const Arguments& args)
 {
     if (args.positional("study").empty())
     {
-        throw FatalInputError({}, "No study is given", args.info().name + " STUDY, e.g. " + args.info().name + " studies/sessile");
+        const std::string& name = args.info().name;
+        throw FatalInputError({}, "No study is given", name + " STUDY, e.g. " + name + " studies/sessile");
     }
     return Study::read(args.positional("study"), variantOf(args));
 }
@@ -137,7 +149,8 @@ fs::path studyOutput(const Arguments& args, const Study& study)
 {
     if (args.found("output")) return fs::absolute(args.get("output"));
     const char* const run = std::getenv("SHIZUKU_RUN");
-    return fs::absolute(fs::path(run ? run : "run")/"studies"/(study.name + (variantOf(args).empty() ? "" : "-" + variantOf(args))));
+    const std::string variant = variantOf(args);
+    return fs::absolute(fs::path(run ? run : "run")/"studies"/(study.name + (variant.empty() ? "" : "-" + variant)));
 }
 
 StudyEngine::StudyEngine(const Study& study, const Arguments& args, const RunMeasure& measure)
@@ -177,7 +190,10 @@ void StudyEngine::run()
         if (digestThere(outcome.path) == cases_[i].digest()) record = readRecord(outcome.path);
         const bool same = record.command == command || args_.found("draw");
         const bool ended = record.status == "finished" || (record.status == "failed" && !args_.found("retry"));
-        runs.push_back({outcome.run.name, outcome.path, command, record, same && ended, study_.timeLimit, [this, i] { prepare(i); }});
+        runs.push_back
+        ({
+            outcome.run.name, outcome.path, command, record, same && ended, study_.timeLimit, [this, i] { prepare(i); }
+        });
         if (same && ended && !args_.found("prepare")) judge(i, record);
     }
     writeTable();
@@ -202,6 +218,7 @@ void StudyEngine::judge(std::size_t i, const CaseRecord& record)
     outcome.end = record.status == "finished" ? RunEnd::finished : RunEnd::died;
     outcome.reason = record.reason;
     if (outcome.end == RunEnd::died && outcome.reason.empty()) outcome.reason = reasonOf(outcome.path, record.exit);
+    outcome.reason = withoutFolder(outcome.reason, outcome.path);
     try
     {
         outcome.measured = measure_.measure(outcome);

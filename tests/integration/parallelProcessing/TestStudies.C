@@ -112,7 +112,7 @@ TEST_F(Studies, ADeathIsRecordedWithItsReasonAndLosesNoOther)
 {
     writeStudy
     (
-        "how { good { values { n 8; } } dies { values { before \"echo '--> FATAL ERROR:'; echo 'The liquid is gone'; exit 1\"; } } "
+        "how { good { values { n 8; } } dies { values { before \"echo '--> FATAL ERROR:'; echo The liquid is gone from `pwd`/0; exit 1\"; } } "
         "hangs { values { before \"sleep 60\"; } } killed { values { before \"kill -9 $$\"; } } "
         "silent { values { before \"exit 0\"; } } }",
         "error { comparison angle; quantity \"contact angle\"; label e; least 1; }\ncost wallTime;\nseries how;\ntimeLimit 1;\n"
@@ -121,11 +121,11 @@ TEST_F(Studies, ADeathIsRecordedWithItsReasonAndLosesNoOther)
     ASSERT_EQ(outcome.status, 0) << outcome.text;
     CsvTable runs = table("runs.csv");
     EXPECT_EQ(runs.number(0, "error"), 1);
-    EXPECT_EQ(runs.text(1, "end") + ": " + runs.text(1, "reason"), "died: The liquid is gone");
+    EXPECT_EQ(runs.text(1, "end") + ": " + runs.text(1, "reason"), "died: The liquid is gone from 0");
     EXPECT_EQ(runs.text(2, "reason"), "Stopped after 1 s; the limit of its time");
     EXPECT_EQ(runs.text(3, "reason"), "ended by signal 9");
     EXPECT_EQ(runs.text(4, "end"), "unmeasured");
-    EXPECT_TRUE(holds(outcome.text, {"No result: dies, died: The liquid is gone"}));
+    EXPECT_TRUE(holds(outcome.text, {"No result: dies, died: The liquid is gone from 0"}));
 
     // What has ended is not run again, unless that is asked for.
     const std::string before = ran();

@@ -90,6 +90,17 @@ TEST_F(StudyOf, AVariantReplacesChoicesAndValues)
     EXPECT_TRUE(holds(messageOf([&] { study(rest, "quik"); }), {"no variant 'quik'", "Did you mean 'quick'?"}));
 }
 
+TEST_F(StudyOf, LeavesOutWhatAllAxesOfARuleHold)
+{
+    const std::string axes = "}\naxes { particles (1 8 64); set (default other); }\n";
+    const std::vector<StudyRun> runs = runsOf(study(axes + "leaveOut { slow { particles (8 64); set (other); } }\n"));
+    ASSERT_EQ(runs.size(), 4u);
+    EXPECT_EQ(runs[1].name, "1-other");
+    EXPECT_EQ(runs[3].name, "64-default");
+    EXPECT_TRUE(holds(refusal(axes + "leaveOut { a { particles (9); } }\n"), {"Axis 'particles' has no choice '9'", "line 7"}));
+    EXPECT_TRUE(holds(refusal(axes + "leaveOut { a { set (default other); } }\n"), {"the grid is empty"}));
+}
+
 TEST_F(StudyOf, RefusesWhatIsWrongWithFileAndLine)
 {
     EXPECT_TRUE(holds(refusal("}\naxes { particles (); }\n"), {"Axis 'particles' has no choice", "the grid is empty", "studyDict at line 6"}));

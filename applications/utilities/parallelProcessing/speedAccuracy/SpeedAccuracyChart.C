@@ -14,9 +14,15 @@ namespace shizuku
 namespace
 {
 
-constexpr std::array colours{"#1f6fb2", "#d9822b", "#3a9d5d", "#b23a48", "#7a5195", "#5c6b73", "#8c6d31", "#17becf", "#bc80bd"};
+constexpr std::array colours
+{
+    "#1f6fb2", "#d9822b", "#3a9d5d", "#b23a48", "#7a5195", "#5c6b73", "#8c6d31", "#17becf", "#bc80bd"
+};
 
-bool drawable(const SpeedAccuracyPoint& point) { return std::isfinite(point.cost) && std::isfinite(point.error) && point.cost > 0; }
+bool drawable(const SpeedAccuracyPoint& point)
+{
+    return std::isfinite(point.cost) && std::isfinite(point.error) && point.cost > 0;
+}
 
 // The choices but for that of the series: "1000, 0.5".
 std::string nameOf(const SpeedAccuracy& chart, const SpeedAccuracyPoint& point)
@@ -76,7 +82,11 @@ void writePoints
     for (const SpeedAccuracyPoint& point : points)
     {
         std::vector<CsvFile::Cell> cells(point.choices.begin(), point.choices.end());
-        cells.insert(cells.end(), {point.cost, point.error, double(point.runs), double(point.failed), point.front ? "yes" : "no", "this study"});
+        cells.insert
+        (
+            cells.end(),
+            {point.cost, point.error, double(point.runs), double(point.failed), point.front ? "yes" : "no", "this study"}
+        );
         table.addRow(cells);
     }
     for (const ReferencePoint& point : chart.references)
@@ -118,7 +128,8 @@ void drawPoints
         plots.push_back("$" + block + " using 1:2 with points pt 7 ps 1.1 lc rgb \"" + colours[i%colours.size()] + "\" title "
                       + quotedForGnuplot(series.choices[i].name));
     }
-    std::sort(front.begin(), front.end(), [](const std::string& a, const std::string& b) { return std::stod(a) < std::stod(b); });
+    const auto cheaper = [](const std::string& a, const std::string& b) { return std::stod(a) < std::stod(b); };
+    std::sort(front.begin(), front.end(), cheaper);
     addBlock(commands, "front", front);
     plots.push_back("$front using 1:2 with linespoints pt 6 ps 2 lw 1.5 lc rgb \"#333333\" title \"Pareto front, named by "
                   + namedAxes(study, chart) + "\"");
@@ -126,9 +137,12 @@ void drawPoints
     if (!chart.references.empty())
     {
         std::vector<std::string> rows;
-        for (const ReferencePoint& point : chart.references) rows.push_back(row(point.cost, std::max(point.error, chart.least), point.source));
+        for (const ReferencePoint& point : chart.references)
+        {
+            rows.push_back(row(point.cost, std::max(point.error, chart.least), point.source));
+        }
         addBlock(commands, "references", rows);
-        plots.push_back("$references using 1:2 with points pt 4 ps 1.5 lw 2 lc rgb \"#000000\" title \"others, by their source\"");
+        plots.push_back("$references using 1:2 with points pt 4 ps 1.5 lw 2 lc rgb \"#000000\" title \"others, named\"");
         plots.push_back("$references using 1:2:3 with labels right offset -1,0 font \",8\" notitle");
     }
     commands << "set logscale xy; set grid lc rgb \"#dddddd\"; set offsets graph 0.05, graph 0.15, graph 0.05, graph 0.05\n"

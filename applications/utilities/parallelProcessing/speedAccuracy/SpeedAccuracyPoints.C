@@ -60,7 +60,10 @@ SpeedAccuracy::SpeedAccuracy(const Study& study, const std::string& wantedCost)
     }
     const StudyText wanted{study.dict.lookup<std::string>("series"), study.dict.where("series")};
     const auto place = std::find(shown.begin(), shown.end(), study.axis(wanted));
-    if (place == shown.end()) throw FatalInputError(wanted.where, "The series '" + wanted.text + "' is an axis that is combined", "one that is not");
+    if (place == shown.end())
+    {
+        throw FatalInputError(wanted.where, "The series '" + wanted.text + "' is an axis that is combined", "one that is not");
+    }
     series = place - shown.begin();
     if (study.dict.found("references")) references = readReferences(study.folder/study.dict.lookup<std::string>("references"));
 }
@@ -69,8 +72,8 @@ std::vector<CsvFile::Column> SpeedAccuracy::columns() const
 {
     return
     {
-        {"reference", ""}, {"measured", ""}, {"error", ""}, {"wallTime", "s/s"}, {"cpuTime", "s/s"}, {"particleSteps", "1/s"}, {"particles", ""},
-        {"subStep", "s"}
+        {"reference", ""}, {"measured", ""}, {"error", ""}, {"wallTime", "s/s"}, {"cpuTime", "s/s"}, {"particleSteps", "1/s"},
+        {"particles", ""}, {"subStep", "s"}
     };
 }
 
@@ -79,8 +82,8 @@ std::map<std::string, CsvFile::Cell> SpeedAccuracy::measure(const RunOutcome& ou
     const RunCost spent = runCost(outcome.path);
     std::map<std::string, CsvFile::Cell> cells
     {
-        {"wallTime", spent.wallTime}, {"cpuTime", spent.cpuTime}, {"particleSteps", spent.particleSteps}, {"particles", spent.particles},
-        {"subStep", spent.subStep}
+        {"wallTime", spent.wallTime}, {"cpuTime", spent.cpuTime}, {"particleSteps", spent.particleSteps},
+        {"particles", spent.particles}, {"subStep", spent.subStep}
     };
     if (outcome.end != RunEnd::finished) return cells;
     const MeasuredError error = error_.of(outcome);

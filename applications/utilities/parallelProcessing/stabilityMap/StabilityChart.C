@@ -75,7 +75,11 @@ MapLayout MapLayout::read(const Study& study)
     {
         const bool shown = i == layout.x || i == layout.y || (!layout.maps.empty() && i == layout.maps.front());
         if (shown || study.axes[i].choices.size() == 1) continue;
-        throw FatalInputError(map.where(), "The map shows no axis '" + study.axes[i].name + "', which has several choices", "x, y or maps " + study.axes[i].name);
+        throw FatalInputError
+        (
+            map.where(), "The map shows no axis '" + study.axes[i].name + "', which has several choices",
+            "x, y or maps " + study.axes[i].name
+        );
     }
     return layout;
 }
@@ -93,7 +97,8 @@ void drawMaps
         std::ostringstream commands;
         commands << "unset key; set style fill solid 1 noborder; set title "
                  << quotedForGnuplot(layout.title + (name.empty() ? "" : ": " + name)) << '\n'
-                 << "set xrange [-0.5:" << double(x.choices.size()) - 0.5 << "]; set yrange [-0.5:" << double(y.choices.size()) - 0.5 << "]\n"
+                 << "set xrange [-0.5:" << double(x.choices.size()) - 0.5 << "]\n"
+                 << "set yrange [-0.5:" << double(y.choices.size()) - 0.5 << "]\n"
                  << "set xtics " << ticsOf(x) << "; set ytics " << ticsOf(y) << "; set tics scale 0\n"
                  << "set xlabel " << quotedForGnuplot(layout.xLabel) << "; set ylabel " << quotedForGnuplot(layout.yLabel) << '\n';
         int object = 0;
@@ -101,11 +106,12 @@ void drawMaps
         {
             const std::size_t column = outcomes[i].run.choices[layout.x], line = outcomes[i].run.choices[layout.y];
             const bool known = outcomes[i].end != RunEnd::notRun;
+            const bool bright = !known || classes[i] == Stability::wrong || classes[i] == Stability::noisy;
             ++object;
             commands << "set object " << object << " rectangle center " << column << ',' << line << " size 0.96,0.96 fc rgb \""
                      << (known ? colourOf(classes[i]) : "#ffffff") << "\"\n"
-                     << "set label " << object << ' ' << quotedForGnuplot(known ? nameOf(classes[i]) : "not run") << " at " << column << ','
-                     << line << " center front textcolor rgb \"" << (known && classes[i] != Stability::wrong && classes[i] != Stability::noisy ? "#ffffff" : "#222222")
+                     << "set label " << object << ' ' << quotedForGnuplot(known ? nameOf(classes[i]) : "not run") << " at "
+                     << column << ',' << line << " center front textcolor rgb \"" << (bright ? "#222222" : "#ffffff")
                      << "\" font \",9\"\n";
         }
         commands << "plot NaN notitle";
@@ -127,13 +133,14 @@ void writeTables
         stream << "# " << layout.title << '\n';
         for (const auto& [name, runs] : mapsOf(study, layout, outcomes))
         {
-            std::vector<std::vector<std::string>> cells(y.choices.size(), std::vector<std::string>(x.choices.size(), "not run"));
+            const std::vector<std::string> empty(x.choices.size(), "-");
+            std::vector<std::vector<std::string>> cells(y.choices.size(), empty);
             std::string reasons;
             for (const std::size_t i : runs)
             {
                 const RunOutcome& outcome = outcomes[i];
-                if (outcome.end == RunEnd::notRun) continue;
-                cells[outcome.run.choices[layout.y]][outcome.run.choices[layout.x]] = nameOf(classes[i]);
+                const bool known = outcome.end != RunEnd::notRun;
+                cells[outcome.run.choices[layout.y]][outcome.run.choices[layout.x]] = known ? nameOf(classes[i]) : "not run";
                 if (!outcome.reason.empty()) reasons += "- " + outcome.run.name + ": " + outcome.reason + "\n";
             }
             stream << (name.empty() ? "" : "\n## " + name + "\n") << "\n| " << y.name << " |";

@@ -29,7 +29,7 @@ ApplicationInfo info()
 
 // Numbers of the comparison `stability`, and of the study's
 //     answer { comparison stability; quantity "contact angle"; within 10; start @start@; }    // may be absent
-//     limits { volumeLoss 1; ... }                                                            // may be absent: see Stability.H
+//     limits { volumeLoss 1; ... }        // may be absent: see Stability.H
 class StabilityMeasure : public RunMeasure
 {
 public:
@@ -148,7 +148,10 @@ void stabilityMap(const Arguments& args)
     for (const Stability stability : allStabilities())
     {
         long count = 0;
-        for (std::size_t i = 0; i < classes.size(); ++i) count += classes[i] == stability && engine.outcomes()[i].end != RunEnd::notRun;
+        for (std::size_t i = 0; i < classes.size(); ++i)
+        {
+            count += classes[i] == stability && engine.outcomes()[i].end != RunEnd::notRun;
+        }
         if (count > 0) std::cout << nameOf(stability) << ": " << count << '\n';
     }
     std::cout << '\n';

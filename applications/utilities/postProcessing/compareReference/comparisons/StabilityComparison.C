@@ -47,7 +47,8 @@ double percentBehind(const CaseResults& results, const std::vector<Vector3>& pos
     for (const std::string& name : walls.names) shapes.push_back(makeWallShape(walls, name, results.spacing));
     const auto behind = [&](const Vector3& x)
     {
-        return std::any_of(shapes.begin(), shapes.end(), [&](const auto& shape) { return shape->at(x).distance < -0.5*results.spacing; });
+        const auto holds = [&](const auto& shape) { return shape->at(x).distance < -0.5*results.spacing; };
+        return std::any_of(shapes.begin(), shapes.end(), holds);
     };
     return 100*double(std::count_if(positions.begin(), positions.end(), behind))/double(positions.size());
 }
@@ -96,7 +97,8 @@ public:
         const double median = distances.empty() ? none : distances[distances.size()/2];
         const auto strays = std::count_if(distances.begin(), distances.end(), [&](double r) { return r > 2*results.spacing; });
         const CsvTable states = results.table("drop", "liquidState.csv");
-        const double speed = results.sigma > 0 ? rmsSpeed(states, results.rho*results.liquidVolume())/results.capillarySpeed() : none;
+        const double mass = results.rho*results.liquidVolume();
+        const double speed = results.sigma > 0 ? rmsSpeed(states, mass)/results.capillarySpeed() : none;
 
         std::vector<ComparisonRow> rows
         {
@@ -105,7 +107,10 @@ public:
             absoluteRow("stray particles", "%", 0, 100*double(strays)/double(distances.size()), none),
             absoluteRow("particles behind the walls", "%", 0, percentBehind(results, positions), none),
             absoluteRow("distance to the nearest", "spacings", 1, median/results.spacing, none),
-            relativeRow("volume of the particles", "m3", results.liquidVolume(), states.number(states.rows() - 1, "volume"), none)
+            relativeRow
+            (
+                "volume of the particles", "m3", results.liquidVolume(), states.number(states.rows() - 1, "volume"), none
+            )
         };
         if (!std::isnan(theta_)) rows.push_back(absoluteRow("contact angle", "deg", theta_, largestDropsAngle(results), none));
         return rows;
