@@ -2,12 +2,16 @@
 
 #include "core/messages/Error.H"
 #include "device/Device.H"
-#include "device/ExecutionPolicy.H"
 #include "device/Profile.H"
+
+#ifdef __CUDACC__
+#include "device/cuda/Primitives.H"
+#else
+#include "device/openmp/Primitives.H"
+#endif
 
 #include <thrust/device_ptr.h>
 #include <thrust/scan.h>
-#include <thrust/sort.h>
 
 #include <string>
 
@@ -18,13 +22,11 @@ namespace
 {
 
 template<class Key>
-void sort(Buffer<Key>& keys, Buffer<std::uint32_t>& values)
+void sort(Buffer<Key>& keys, Buffer<std::uint32_t>& values, int bits)
 {
-    const auto key = thrust::device_pointer_cast(keys.span().data);
-    const auto value = thrust::device_pointer_cast(values.span().data);
     ++deviceCounters().launches;
     const device::KernelTimer timer("sort");
-    thrust::stable_sort_by_key(device::executionPolicy(), key, key + keys.size(), value);
+    device::sortPairs(keys.span().data, values.span().data, keys.size(), bits);
 }
 
 // Stays at the largest number instead of starting anew at zero.
@@ -39,8 +41,20 @@ struct SaturatingSum
 
 }
 
-void sortByKey(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values) { sort(keys, values); }
-void sortByKey(Buffer<std::uint64_t>& keys, Buffer<std::uint32_t>& values) { sort(keys, values); }
+void sortByKey(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values, int bits) { sort(keys, values, bits); }
+void sortByKey(Buffer<std::uint64_t>& keys, Buffer<std::uint32_t>& values, int bits) { sort(keys, values, bits); }
+
+void select(const Buffer<std::uint8_t>& chosen, Selection& selection)
+{
+    selection.indices.resizeDiscarding(chosen.size());
+    selection.count.resize(1);
+    ++deviceCounters().launches;
+    const device::KernelTimer timer("select");
+    device::selectIndices
+    (
+        chosen.span().data, chosen.size(), selection.indices.span().data, selection.count.span().data
+    );
+}
 
 std::uint32_t exclusiveScan(const Buffer<std::uint32_t>& in, Buffer<std::uint32_t>& out, const char* list)
 {

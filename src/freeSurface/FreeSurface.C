@@ -1,5 +1,6 @@
 #include "freeSurface/FreeSurface.H"
 
+#include "device/Algorithms.H"
 #include "maths/Lattice.H"
 
 #include <algorithm>
@@ -10,46 +11,81 @@ namespace shizuku
 namespace
 {
 
-struct Reconstruct
+// Tells the particles near the surface from those deep inside, all around which there is liquid that has liquid all around:
+// the surface is farther than the density's support.
+struct FindSurface
 {
-    WendlandC2 W;
-    float volume;                           // V/S
-    Span<const Vec3> x;
-    NeighbourSearch wide;
     NeighbourView near;
-    std::uint32_t leastInside;              // neighbours in `near`: fewer have those at the surface
-    WallCompletion completion;
-    HalfSpaceView plane;
-    Span<const float> depthOfRatio;
-    float largestRatio, suction, steepest;
+    std::uint32_t leastInside;              // neighbours: fewer have those at the surface
+    float deepest, suction;
+    Span<std::uint8_t> isNear;
     Span<Vec3> gradient;
     Span<float> depth;
     Span<ContactLine> contact;
     Span<float> lowestPressure;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, Team team) const
     {
+        float open = near.count[i] < leastInside ? 1 : 0;
+        near.forEach(i, [&](int j) { if (near.count[j] < leastInside) open = 1; }, team);
+        open = team.sum(open);
+        if (!team.first()) return;
+        isNear[i] = open > 0;
         lowestPressure[i] = -suction;
-        if (isDeep(i))
-        {
-            contact[i] = {};
-            gradient[i] = {};
-            depth[i] = W.h;
-            return;
-        }
+        contact[i] = {};
+        gradient[i] = {};
+        depth[i] = deepest;
+    }
+};
+
+// The liquid's part in the colour and its gradient.
+struct SumColour
+{
+    WendlandC2 W;
+    float volume;                           // V/S
+    Span<const Vec3> x;
+    NeighbourSearch wide;
+    Span<float> colour;
+    Span<Vec3> gradient;
+
+    HOST_DEVICE void operator()(int i, Team team) const
+    {
         const Vec3 xi = x[i];
-        float colour = W.W(0);
+        float sum = 0;
         Vec3 G;
         wide.forEach(i, [&](int j)
         {
             const Vec3 r = xi - x[j];
             const float distance = norm(r);
-            colour += W.W(distance);
+            sum += W.W(distance);
             G += W.g(distance) * r;
-        });
-        colour *= volume;
-        G = volume * G;
+        }, team);
+        sum = team.sum(sum);
+        G = team.sum(G);
+        if (!team.first()) return;
+        colour[i] = volume * (W.W(0) + sum);
+        gradient[i] = volume * G;
+    }
+};
 
+// Adds the walls, and reads the depth.
+struct Reconstruct
+{
+    WendlandC2 W;
+    Span<const Vec3> x;
+    WallCompletion completion;
+    HalfSpaceView plane;
+    Span<const float> depthOfRatio;
+    float largestRatio, steepest;
+    Span<Vec3> gradient;
+    Span<float> depth;                      // holds the colour before
+    Span<ContactLine> contact;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 xi = x[i];
+        float colour = depth[i];
+        Vec3 G = gradient[i];
         const ContactLine line = findContact(i, xi, colour, G);
         const auto wall = completion(i, xi, line);
         colour += wall.value;
@@ -60,15 +96,6 @@ struct Reconstruct
     }
 
 private:
-    // All around there is liquid that has liquid all around: the surface is farther than the density's support.
-    HOST_DEVICE bool isDeep(int i) const
-    {
-        if (near.count[i] < leastInside) return false;
-        bool deep = true;
-        near.forEach(i, [&](int j) { deep = deep && near.count[j] >= leastInside; });
-        return deep;
-    }
-
     HOST_DEVICE ContactLine findContact(int i, Vec3 xi, float colour, Vec3 G) const
     {
         ContactLine line;
@@ -227,12 +254,22 @@ void FreeSurface::update(const Liquid& liquid, const Neighbourhood& near, const 
     depth_.resizeDiscarding(liquid.all());
     contact_.resizeDiscarding(liquid.all());
     lowestPressure_.resizeDiscarding(liquid.all());
-    forEach(liquid.owned(), Reconstruct
+    isNear_.resizeDiscarding(liquid.owned());
+    const Span<const Vec3> x = liquid.predicted.span();
+    forEachTeam(liquid.owned(), FindSurface
     {
-        *kernel_, liquid.particleVolume() / latticeSum_, liquid.predicted.span(), near.wide(liquid), near.view(),
-        leastInside(liquid),
-        {extended_->view(), kernel_->h, walls.view()}, {plane_.span(), kernel_->h}, depthOfRatio_.span(), largestRatio_,
-        suction_, steepest_, gradient_.span(), depth_.span(), contact_.span(), lowestPressure_.span()
+        near.view(), leastInside(liquid), kernel_->h, suction_, isNear_.span(), gradient_.span(), depth_.span(),
+        contact_.span(), lowestPressure_.span()
+    });
+    select(isNear_, particles_);
+    forEachTeam(particles_, SumColour
+    {
+        *kernel_, liquid.particleVolume() / latticeSum_, x, near.wide(liquid), depth_.span(), gradient_.span()
+    });
+    forEach(particles_, Reconstruct
+    {
+        *kernel_, x, {extended_->view(), kernel_->h, walls.view()}, {plane_.span(), kernel_->h}, depthOfRatio_.span(),
+        largestRatio_, steepest_, gradient_.span(), depth_.span(), contact_.span()
     });
 }
 

@@ -22,18 +22,29 @@ struct AssignKeys
     }
 };
 
-// Particle i, the first of its cell, closes every cell between the previous occupied one and its own.
+// By bisection, one cell a thread: between the occupied cells are gaps of whole layers, too long for a thread to close.
 struct FindStarts
 {
     Span<const std::uint32_t> keys;
     Span<std::uint32_t> start;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int cell) const
     {
-        const int n = keys.size;
-        const std::uint32_t from = i == 0 ? 0 : keys[i - 1] + 1;
-        const std::uint32_t to = i == n ? std::uint32_t(start.size - 1) : keys[i];
-        for (std::uint32_t k = from; k <= to; ++k) start[int(k)] = std::uint32_t(i);
+        int first = 0;
+        for (int rest = keys.size; rest > 0;)
+        {
+            const int half = rest / 2;
+            if (keys[first + half] < std::uint32_t(cell))
+            {
+                first += half + 1;
+                rest -= half + 1;
+            }
+            else
+            {
+                rest = half;
+            }
+        }
+        start[cell] = std::uint32_t(first);
     }
 };
 
@@ -67,8 +78,8 @@ const Buffer<std::uint32_t>& CellGrid::build(Span<const Vec3> positions, int n)
     keys_.resizeDiscarding(n);
     order_.resizeDiscarding(n);
     forEach(n, AssignKeys{view(), positions, keys_.span(), order_.span()});
-    sortByKey(keys_, order_);
-    forEach(n + 1, FindStarts{keys_.span(), start_.span()});
+    sortByKey(keys_, order_, int(bitsX_ + bitsY_ + bitsZ_));
+    forEach(start_.size(), FindStarts{keys_.span(), start_.span()});
     return order_;
 }
 

@@ -15,14 +15,19 @@ struct Search
     float support;
     bool sameSet;
 
+    // visit(j, whether it is a neighbour), for one j after the other; each lane takes its turn, as often as the others.
     template<class Visit>
-    HOST_DEVICE void forEachNeighbour(int i, Visit visit) const
+    HOST_DEVICE void forEachTurn(int i, Team team, Visit visit) const
     {
         const Vec3 p = points[i];
         const float support2 = support * support;
-        grid.forEachCandidate(p, support, [&](int j)
+        grid.forEachRange(p, support, [&](int first, int end)
         {
-            if (squared(p - sources[j]) < support2 && !(sameSet && i == j)) visit(j);
+            for (int turn = first; turn < end; turn += team.width)
+            {
+                const int j = turn + team.lane;
+                visit(j, j < end && squared(p - sources[j]) < support2 && !(sameSet && i == j));
+            }
         });
     }
 };
@@ -32,11 +37,11 @@ struct CountNeighbours
     Search search;
     Span<std::uint32_t> count;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, Team team) const
     {
-        std::uint32_t n = 0;
-        search.forEachNeighbour(i, [&](int) { ++n; });
-        count[i] = n;
+        int n = 0;
+        search.forEachTurn(i, team, [&](int, bool isNear) { n += team.place(isNear).all; });
+        if (team.first()) count[i] = std::uint32_t(n);
     }
 };
 
@@ -63,14 +68,15 @@ struct StoreNeighbours
     Span<const std::uint32_t> start;
     Span<std::uint32_t> index;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, Team team) const
     {
         constexpr int s = device::interleave;
-        std::uint32_t place = start[i / s] + std::uint32_t(i % s);
-        search.forEachNeighbour(i, [&](int j)
+        int free = int(start[i / s]) + i % s;
+        search.forEachTurn(i, team, [&](int j, bool isNear)
         {
-            index[int(place)] = std::uint32_t(j);
-            place += s;
+            const Team::Place place = team.place(isNear);
+            if (isNear) index[free + s * place.before] = std::uint32_t(j);
+            free += s * place.all;
         });
     }
 };
@@ -83,11 +89,11 @@ void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, 
     const int groups = (n + device::interleave - 1) / device::interleave;
     count_.resizeDiscarding(n);
     groupLength_.resizeDiscarding(groups);
-    forEach(n, CountNeighbours{search, count_.span()});
+    forEachTeam(n, CountNeighbours{search, count_.span()});
     forEach(groups, LongestOfGroup{count_.span(), groupLength_.span()});
     entries_ = exclusiveScan(groupLength_, start_, "neighbours");
     index_.resizeDiscarding(int(entries_));
-    forEach(n, StoreNeighbours{search, start_.span(), index_.span()});
+    forEachTeam(n, StoreNeighbours{search, start_.span(), index_.span()});
 }
 
 }

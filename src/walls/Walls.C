@@ -92,11 +92,12 @@ struct FitPlane
     Span<Vec3> normal;
     Span<float> offset, cosTheta;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 xi = x[i];
         float nearest = 1e30f;
-        solid.near.forEach(i, [&](int k) { nearest = fminf(nearest, squared(xi - solid.position[k])); });
+        solid.near.forEach(i, [&](int k) { nearest = fminf(nearest, squared(xi - solid.position[k])); }, team);
+        nearest = team.min(nearest);
         Vec3 direction, from;
         float along = 0, cosine = 0, total = 0;
         solid.near.forEach(i, [&](int k)
@@ -110,7 +111,13 @@ struct FitPlane
             from += weight * r;
             along += weight * dot(solid.normal[k], r);
             cosine += weight * (solid.cosTheta.size > 0 ? solid.cosTheta[k] : 0);
-        });
+        }, team);
+        total = team.sum(total);
+        direction = team.sum(direction);
+        from = team.sum(from);
+        along = team.sum(along);
+        cosine = team.sum(cosine);
+        if (!team.first()) return;
         const float length = norm(direction);
         normal[i] = {0, 0, 1};
         offset[i] = WallPlanesView::nowhere;
@@ -152,7 +159,7 @@ struct KeepBeforeLayer
     Span<const Vec3> position;
     Span<Vec3> predicted;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 x = predicted[i];
         float weights = 0, height = 0, aside = spacing * spacing;
@@ -167,7 +174,12 @@ struct KeepBeforeLayer
             height += q * q * q * along;
             normal += q * q * q * n;
             aside = fminf(aside, squared(r) - along * along);
-        });
+        }, team);
+        aside = team.min(aside);
+        weights = team.sum(weights);
+        height = team.sum(height);
+        normal = team.sum(normal);
+        if (!team.first()) return;
         if (aside >= spacing * spacing) return;
         const float lacking = 0.25f * spacing - height / weights, agreement = norm(normal) / weights;
         if (lacking <= 0 || agreement < 0.5f) return;
@@ -366,7 +378,7 @@ void Walls::update(const Liquid& liquid)
     planeNormal_.resizeDiscarding(liquid.all());
     planeOffset_.resizeDiscarding(liquid.all());
     planeCosTheta_.resizeDiscarding(liquid.all());
-    forEach(liquid.owned(), FitPlane
+    forEachTeam(liquid.owned(), FitPlane
     {
         liquid.spacing(), liquid.predicted.span(), view().particles, planeNormal_.span(), planeOffset_.span(),
         planeCosTheta_.span()
@@ -381,7 +393,7 @@ void Walls::project(Liquid& liquid) const
     }
     if (solid_.all() > 0)
     {
-        forEach
+        forEachTeam
         (
             liquid.owned(),
             KeepBeforeLayer

@@ -67,7 +67,7 @@ void pbfDroplet(const Arguments& args)
         for (int step = 0; step < steps.count; ++step)
         {
             subStep(liquid, near, walls, models, dt);
-            meter.watch(liquid);
+            if (step + 1 < steps.count) meter.watch(liquid);
         }
         speeds = meter.measure(liquid);
         refuseDivergence(time, steps, liquid.properties().spacing, speeds, lastWritten);

@@ -50,6 +50,46 @@ TEST(Algorithms, SortByKeyTakesLongKeys)
     EXPECT_EQ(deviceValues.download(), order);
 }
 
+// As many bits as the keys have, on either side of a multiple of eight.
+TEST(Algorithms, SortByKeyLooksAtAllBitsThatItIsGiven)
+{
+    RandomNumbers random(6);
+    for (const int bits : {3, 8, 9, 15, 17, 20})
+    {
+        std::vector<std::uint32_t> keys(5000), order(keys.size());
+        for (auto& key : keys) key = std::uint32_t(random(0, float((1u << bits) - 1)));
+        std::iota(order.begin(), order.end(), 0u);
+        Buffer<std::uint32_t> deviceKeys(keys), deviceValues(order);
+        sortByKey(deviceKeys, deviceValues, bits);
+
+        std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return keys[a] < keys[b]; });
+        std::sort(keys.begin(), keys.end());
+        EXPECT_EQ(deviceKeys.download(), keys) << bits;
+        EXPECT_EQ(deviceValues.download(), order) << bits;
+    }
+}
+
+TEST(Algorithms, SelectListsWhatIsChosenInItsOrder)
+{
+    RandomNumbers random(8);
+    Selection selection;
+    for (const int n : {20000, 0, 1, 777})
+    {
+        std::vector<std::uint8_t> chosen(n);
+        std::vector<std::uint32_t> expected;
+        for (int i = 0; i < n; ++i)
+        {
+            chosen[i] = random(0, 1) < 0.3f ? std::uint8_t(random(1, 255)) : 0;
+            if (chosen[i]) expected.push_back(i);
+        }
+        select(Buffer<std::uint8_t>(chosen), selection);
+        ASSERT_EQ(selection.count.download().front(), expected.size()) << n;
+        auto indices = selection.indices.download();
+        indices.resize(expected.size());
+        EXPECT_EQ(indices, expected) << n;
+    }
+}
+
 TEST(Algorithms, ExclusiveScanReturnsTheTotalBehindThePrefixSums)
 {
     RandomNumbers random(5);

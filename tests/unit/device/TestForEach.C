@@ -1,3 +1,4 @@
+#include "device/Algorithms.H"
 #include "device/Buffer.H"
 #include "device/ForEach.H"
 #include "device/Gather.H"
@@ -15,6 +16,69 @@ struct AddIndex
 
     HOST_DEVICE void operator()(int i) const { values[i] += i + 1; }
 };
+
+struct Sums
+{
+    float numbers, squares, least;
+};
+
+// Of 0, 1, ... i mod 40, and those among them that three divides, in their order.
+struct TakeTurns
+{
+    Span<Sums> sums;
+    Span<int> multiples;                // 14 an index
+
+    HOST_DEVICE void operator()(int i, Team team) const
+    {
+        const int end = i % 40 + 1;
+        Sums own{0, 0, 0};
+        for (int k = team.lane; k < end; k += team.width) 
+        {
+            own = {own.numbers + float(k), own.squares + float(k * k), fminf(own.least, float(k % 11 - k))};
+        }
+        own = {team.sum(own.numbers), team.sum(own.squares), team.min(own.least)};
+        if (team.first()) 
+        {
+            sums[i] = {sums[i].numbers + own.numbers, sums[i].squares + own.squares, sums[i].least + own.least};
+        }
+
+        int found = 0;
+        for (int turn = 0; turn < end; turn += team.width)
+        {
+            const int k = turn + team.lane;
+            const bool takes = k < end && k % 3 == 0;
+            const Team::Place place = team.place(takes);
+            if (takes) multiples[14 * i + found + place.before] = k;
+            found += place.all;
+        }
+    }
+};
+
+struct TurnsTaken
+{
+    explicit TurnsTaken(int n) : sums(n + 1), multiples(14 * (n + 1))
+    {
+        sums.setZero();
+        multiples.setZero();
+    }
+
+    TakeTurns functor() { return {sums.span(), multiples.span()}; }
+
+    Buffer<Sums> sums;
+    Buffer<int> multiples;
+};
+
+// Whole numbers below 2^24: exact in any order.
+void expectTurns(const TurnsTaken& turns, int i, bool visited)
+{
+    const Sums sum = turns.sums.download()[i];
+    const std::vector<int> multiples = turns.multiples.download();
+    const int last = visited ? i % 40 : 0;
+    ASSERT_EQ(sum.numbers, float(last * (last + 1) / 2)) << i;
+    ASSERT_EQ(sum.squares, float(last * (last + 1) * (2 * last + 1) / 6)) << i;
+    ASSERT_EQ(sum.least, float(-(last / 11 * 11))) << i;
+    for (int k = 0; k < 14; ++k) ASSERT_EQ(multiples[14 * i + k], 3 * k <= last ? 3 * k : 0) << i;
+}
 
 }
 
@@ -43,6 +107,46 @@ TEST(ForEach, CountsLaunchesAndMakesNoneOfNothing)
     forEach(1, AddIndex{buffer.span()});
     EXPECT_EQ(deviceCounters().launches, before + 2);
     synchronize();
+}
+
+// Numbers of indices for which a GPU takes teams of eight, of two and of one.
+TEST(ForEachTeam, SharesWhatAnIndexHasToVisit)
+{
+    for (const int n : {1, 3, 1000, 200001, 600001})
+    {
+        TurnsTaken turns(n);
+        forEachTeam(n, turns.functor());
+        for (const int i : {0, n / 3, n / 2, n - 1}) expectTurns(turns, i, true);
+        expectTurns(turns, n, false);
+    }
+}
+
+TEST(ForEach, VisitsSelectedIndicesOnce)
+{
+    for (const int n : {0, 1, 2, 5000, 300001})
+    {
+        std::vector<std::uint8_t> chosen(n);
+        for (int i = 0; i < n; ++i) chosen[i] = i % 7 == 1 || i % 100 > 90;
+        Selection selection;
+        select(Buffer<std::uint8_t>(chosen), selection);
+        TurnsTaken turns(n);
+        forEachTeam(selection, turns.functor());
+        Buffer<int> visits(n + 1);
+        visits.setZero();
+        forEach(selection, AddIndex{visits.span()});
+        const std::vector<int> visited = visits.download();
+        for (int i = 0; i < n; ++i) ASSERT_EQ(visited[i], chosen[i] ? i + 1 : 0) << "of " << n;
+        if (n == 0) continue;
+        for (const int i : {0, n / 7, n / 3, n / 2, n - 1}) expectTurns(turns, i, chosen[i]);
+        const auto sums = turns.sums.download();
+        double all = 0, expected = 0;
+        for (int i = 0; i < n; ++i)
+        {
+            all += sums[i].numbers;
+            expected += chosen[i] ? i % 40 * (i % 40 + 1) / 2 : 0;
+        }
+        EXPECT_EQ(all, expected) << "of " << n;
+    }
 }
 
 TEST(Gather, TakesElementsInTheGivenOrder)

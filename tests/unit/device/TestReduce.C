@@ -55,7 +55,7 @@ std::vector<float> foldLanes(const std::vector<float>& values, int lanes)
 TEST(Reduce, SumsIntegersExactly)
 {
     Buffer<LongSum> scratch;
-    for (const long n : {0L, 1L, 63L, 64L, 4095L, 4096L, 4097L, 100003L})
+    for (const long n : {0L, 1L, 255L, 256L, 8191L, 8192L, 8193L, 100003L})
     {
         EXPECT_EQ(reduce(int(n), Squares{}, scratch).value, (n - 1) * n * (2 * n - 1) / 6) << "n = " << n;
     }
@@ -68,7 +68,7 @@ TEST(Reduce, GivesTheSameBitsOnAnyNumberOfThreads)
     std::vector<float> values(20011);
     for (float& v : values) v = std::exp(random(-12, 12)) * (random(0, 1) < 0.5f ? -1.0f : 1.0f);
     float expected = 0;
-    for (const float part : foldLanes(foldLanes(values, 4096), 64)) expected += part;
+    for (const float part : foldLanes(foldLanes(values, device::manyLanes), device::fewLanes)) expected += part;
 
     const Buffer<float> buffer(values);
     Buffer<FloatSum> scratch;

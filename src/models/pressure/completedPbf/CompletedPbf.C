@@ -45,9 +45,10 @@ struct RaisePressure
     HalfSpaceView plane;
     Span<float> density, pressure, increase;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, Team team) const
     {
-        const ConstraintSums sums = constraintSums(W, volume, i, x, near);
+        const ConstraintSums sums = constraintSums(W, volume, i, x, near, team);
+        if (!team.first()) return;
         const auto wall = walls(i, x[i], surface.contact[i]);
         density[i] = (densityVolume * sums.W + wall.value) / (1 - plane(surface.depth[i]).density);
 
@@ -71,16 +72,19 @@ struct Displace
     Span<const float> pressure, increase;
     Span<Vec3> corrected;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 xi = x[i];
         const float own = increase[i], sign = pressure[i] < 0 ? -1 : 1;
-        Vec3 step = 2 * sign * own * walls(i, xi, surface.contact[i]).gradient;
+        Vec3 step;
         near.forEach(i, [&](int j)
         {
             const Vec3 r = xi - x[j];
-            step += volume * (increase[j] + (2 * sign - 1) * own) * W.g(norm(r)) * r;
-        });
+            step += (increase[j] + (2 * sign - 1) * own) * W.g(norm(r)) * r;
+        }, team);
+        step = volume * team.sum(step);
+        if (!team.first()) return;
+        step += 2 * sign * own * walls(i, xi, surface.contact[i]).gradient;
         if (sign < 0) step += 4 * own * planarGradient(i);
         corrected[i] = xi - step;
     }
@@ -130,7 +134,7 @@ public:
             [&]<class Kernel>(const Kernel& W)
             {
                 const float V = liquid.particleVolume();
-                forEach(liquid.owned(), RaisePressure<Kernel>
+                forEachTeam(liquid.owned(), RaisePressure<Kernel>
                 {
                     W, V, V / liquid.latticeSum(), controls_.relaxation, controls_.epsilon,
                     dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
@@ -152,7 +156,7 @@ public:
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                forEach(liquid.owned(), Displace<Kernel>
+                forEachTeam(liquid.owned(), Displace<Kernel>
                 {
                     W, liquid.particleVolume(), liquid.predicted.span(), near.view(),
                     {extended_->view(), W.h, walls.view()}, surface_.view(), {plane_.span(), W.h},

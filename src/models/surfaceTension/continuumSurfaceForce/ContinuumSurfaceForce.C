@@ -46,13 +46,14 @@ struct Normal
 {
     FreeSurfaceView surface;
     float least;
-    Span<Vec3> normal;                      // zero away from the surface
+    Span<Vec3> normal, smooth;              // zero away from the surface
 
     HOST_DEVICE void operator()(int i) const
     {
         const Vec3 G = surface.gradient[i];
         const float length = norm(G);
         normal[i] = length > least ? -1 / length * G : Vec3{};
+        smooth[i] = {};
     }
 };
 
@@ -69,17 +70,17 @@ struct SmoothNormal
     FreeSurfaceView surface;
     Span<Vec3> smooth;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 xi = x[i], mi = normal[i];
-        smooth[i] = {};
         if (!isNearSurface(mi)) return;
-        Vec3 sum = W.W(0) * norm(surface.gradient[i]) * mi;
+        Vec3 sum;
         near.forEach(i, [&](int j)
         {
-            if (onSameSurface(mi, normal[j])) sum += W.W(norm(xi - x[j])) * norm(surface.gradient[j]) * normal[j];
-        });
-        smooth[i] = 1 / norm(sum) * sum;
+            if (onSameSurface(mi, normal[j])) sum -= W.W(norm(xi - x[j])) * surface.gradient[j];
+        }, team);
+        sum = team.sum(sum) - W.W(0) * surface.gradient[i];
+        if (team.first()) smooth[i] = 1 / norm(sum) * sum;
     }
 };
 
@@ -95,16 +96,17 @@ struct Force
     Span<float> lowestPressure;
     Span<Vec3> acceleration;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, Team team) const
     {
         if (!isNearSurface(normal[i])) return;
-        const float jump = sigma * curvature(i);
+        const float jump = sigma * curvature(i, team);
+        if (!team.first()) return;
         lowestPressure[i] = fminf(fmaxf(holds * jump, lowestPressure[i]), 0);
         acceleration[i] += 2 * jump / restDensity * surface.gradient[i];
     }
 
 private:
-    HOST_DEVICE float curvature(int i) const
+    HOST_DEVICE float curvature(int i, Team team) const
     {
         const Vec3 xi = x[i], mi = normal[i];
         float spread = 0, weight = 0, depth = 0;
@@ -118,7 +120,10 @@ private:
             spread -= slope * dot(r, mj - mi);
             weight += along;
             depth += along * 0.5f * (surface.depth[i] + surface.depth[j]);
-        });
+        }, team);
+        spread = team.sum(spread);
+        weight = team.sum(weight);
+        depth = team.sum(depth);
         const ContactLine line = surface.contact[i];
         walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
         {
@@ -201,9 +206,9 @@ public:
         smooth_.resizeDiscarding(liquid.all());
         const FreeSurfaceView view = surface_.view();
         const Span<const Vec3> x = liquid.predicted.span();
-        forEach(liquid.owned(), Normal{view, nearSurface * surface_.steepest(), normal_.span()});
-        forEach(liquid.owned(), SmoothNormal{W, x, normal_.span(), near.wide(liquid), view, smooth_.span()});
-        forEach(liquid.owned(), Force
+        forEach(liquid.owned(), Normal{view, nearSurface * surface_.steepest(), normal_.span(), smooth_.span()});
+        forEachTeam(surface_.particles(), SmoothNormal{W, x, normal_.span(), near.wide(liquid), view, smooth_.span()});
+        forEachTeam(surface_.particles(), Force
         {
             W, liquid.particleVolume(), sharpest / liquid.spacing(), sigma_, liquid.restDensity(), x, smooth_.span(),
             near.wide(liquid), view, extended_->view(), walls.view(), surface_.lowestPressure(), acceleration.span()

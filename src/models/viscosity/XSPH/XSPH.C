@@ -27,12 +27,13 @@ struct Smooth
     WallView walls;
     Span<Vec3> smoothed;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 xi = x[i], ui = velocity[i];
         Vec3 sum;
-        near.forEach(i, [&](int j) { sum += W.W(norm(xi - x[j])) * (velocity[j] - ui); });
-        sum = volume * sum;
+        near.forEach(i, [&](int j) { sum += W.W(norm(xi - x[j])) * (velocity[j] - ui); }, team);
+        sum = volume * team.sum(sum);
+        if (!team.first()) return;
         if (noSlip) sum -= walls.density(i, xi, W) * ui;
         smoothed[i] = ui + c * sum;
     }
@@ -55,7 +56,7 @@ public:
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                forEach(liquid.owned(), Smooth<Kernel>
+                forEachTeam(liquid.owned(), Smooth<Kernel>
                 {
                     W, c_, liquid.particleVolume(), liquid.position.span(), liquid.velocity.span(), near.view(), noSlip_,
                     walls.view(), smoothed_.span()
