@@ -93,7 +93,7 @@ TEST_F(Studies, MeasuresErrorAndCostAndMarksTheFront)
     if (run("command -v gnuplot").status == 0)
     {
         EXPECT_EQ(folder_.read("out/speedAccuracy.png").substr(1, 3), "PNG");
-        EXPECT_TRUE(holds(folder_.read("out/speedAccuracy.svg"), {"<svg", "Pareto front"}));
+        EXPECT_TRUE(holds(folder_.read("out/speedAccuracy.svg"), {"<svg", "front, by"}));
     }
 }
 

@@ -131,7 +131,7 @@ void drawPoints
     const auto cheaper = [](const std::string& a, const std::string& b) { return std::stod(a) < std::stod(b); };
     std::sort(front.begin(), front.end(), cheaper);
     addBlock(commands, "front", front);
-    plots.push_back("$front using 1:2 with linespoints pt 6 ps 2 lw 1.5 lc rgb \"#333333\" title \"Pareto front, named by "
+    plots.push_back("$front using 1:2 with linespoints pt 6 ps 2 lw 1.5 lc rgb \"#333333\" title \"front, by "
                   + namedAxes(study, chart) + "\"");
     plots.push_back("$front using 1:2:3 with labels left offset 0.9,0.6 font \",8\" notitle");
     if (!chart.references.empty())
@@ -143,10 +143,10 @@ void drawPoints
         }
         addBlock(commands, "references", rows);
         plots.push_back("$references using 1:2 with points pt 4 ps 1.5 lw 2 lc rgb \"#000000\" title \"others, named\"");
-        plots.push_back("$references using 1:2:3 with labels right offset -1,0 font \",8\" notitle");
+        plots.push_back("$references using 1:2:3 with labels right offset 1,-1 font \",8\" notitle");
     }
     commands << "set logscale xy; set grid lc rgb \"#dddddd\"; set offsets graph 0.05, graph 0.15, graph 0.05, graph 0.05\n"
-             << "set key outside below; set title " << quotedForGnuplot(chart.title) << '\n'
+             << "set key below vertical maxrows 5 samplen 2; set title " << quotedForGnuplot(chart.title) << '\n'
              << "set xlabel \"" << axisOf(chart.cost)
              << "\"; set ylabel " << quotedForGnuplot(chart.label) << "\nset format x \"%g\"; set format y \"%g\"\nplot ";
     for (std::size_t i = 0; i < plots.size(); ++i) commands << (i > 0 ? ", \\\n    " : "") << plots[i];
