@@ -16,6 +16,7 @@
 #include "models/pressure/Pressure.H"
 #include "models/pressure/shared/AverageCompression.H"
 #include "models/pressure/shared/PressureControls.H"
+#include "models/pressure/shared/PressureField.H"
 #include "models/pressure/shared/PushApart.H"
 
 namespace shizuku
@@ -46,10 +47,7 @@ public:
     :
         controls_(IterationControls::read(dict, {3, 50, 1e-3})),
         squares_(bulkSquares(liquid)),
-        pressure_(liquid.fields().require<float>
-        ({
-            .name = "p", .dimensions = dimensions::pressure, .sorted = false, .written = true, .exchanged = true
-        }))
+        pressure_(freshPressure(liquid))
     {}
 
     void begin(float dt) override

@@ -25,6 +25,7 @@
 #include "models/pressure/shared/AverageCompression.H"
 #include "models/pressure/shared/ConstraintSums.H"
 #include "models/pressure/shared/PressureControls.H"
+#include "models/pressure/shared/PressureField.H"
 
 namespace shizuku
 {
@@ -105,10 +106,7 @@ public:
         controls_(PressureControls::read(controls, liquid)),
         surface_(surface),
         plane_(tabulateHalfSpace(liquid.kernel())),
-        pressure_(liquid.fields().require<float>
-        ({
-            .name = "p", .dimensions = dimensions::pressure, .sorted = false, .written = true, .exchanged = true
-        }))
+        pressure_(freshPressure(liquid))
     {
         if (!surface.active()) surface.require(liquid, walls, FreeSurface::usualSupport, 0);
     }

@@ -1,6 +1,7 @@
 // Pairs push each other alike: pressure moves momentum between particles and makes none.
 
 #include "support/PressureReference.H"
+#include "support/VectorSum.H"
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -18,19 +19,10 @@ TEST(Pressure, ConservesMomentumWithoutWalls)
         drop.place(points, randomPoints(512, {-1, -1, -1}, {1, 1, 1}, 2));
         const auto sums = [&](const Buffer<Vec3>& field, const std::vector<Vec3>& before)
         {
-            double sum[3] = {0, 0, 0}, sizes = 0;
-            const auto now = drop.inOrder(field);
-            for (std::size_t i = 0; i < now.size(); ++i)
-            {
-                const Vec3 step = now[i] - before[i];
-                sum[0] += step.x;
-                sum[1] += step.y;
-                sum[2] += step.z;
-                sizes += norm(step);
-            }
+            const VectorSum steps = sumOfSteps(before, drop.inOrder(field));
             // Values of up to eight units are rounded to 5e-7: 512 of them leave about 1e-5, several iterations more.
-            for (const double component : sum) EXPECT_NEAR(component, 0, 1e-4) << word;
-            return sizes;
+            for (const double component : steps.components) EXPECT_NEAR(component, 0, 1e-4) << word;
+            return steps.sizes;
         };
         const auto before = drop.inOrder(drop.liquid.predicted);
         iterate(*pressure, drop, 0.02f);

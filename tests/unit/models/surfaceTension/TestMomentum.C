@@ -1,6 +1,7 @@
 // Central forces are equal and opposite; the curvature of the colour field has no such pairs.
 
 #include "support/PairForceMeter.H"
+#include "support/VectorSum.H"
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -12,17 +13,10 @@ TEST(SurfaceTension, ConservesMomentumWhereItsForcesArePairs)
         LiquidCase drop;
         const auto tension = makeTension(drop, word);
         drop.place(randomPoints(500, {0, 0, 0}, {7, 7, 7}, 9));
-        double sum[3] = {0, 0, 0}, sizes = 0;
-        for (const Vec3& a : accelerationsOf(drop, *tension))
-        {
-            sum[0] += a.x;
-            sum[1] += a.y;
-            sum[2] += a.z;
-            sizes += norm(a);
-        }
+        const VectorSum forces = sumOf(accelerationsOf(drop, *tension));
         // What is left are the roundings of 500 sums of some thirty terms.
         double left = 0;
-        for (const double component : sum) left += std::abs(component);
-        EXPECT_EQ(left < 3e-6 * sizes, word != "Mueller2003") << word << ' ' << left / sizes;
+        for (const double component : forces.components) left += std::abs(component);
+        EXPECT_EQ(left < 3e-6 * forces.sizes, word != "Mueller2003") << word << ' ' << left / forces.sizes;
     }
 }

@@ -3,6 +3,7 @@
 #include "models/surfaceTension/SurfaceTension.H"
 #include "support/LiquidCase.H"
 #include "support/ReferenceKernels.H"
+#include "support/VectorSum.H"
 
 #include <algorithm>
 
@@ -352,17 +353,9 @@ TEST(CompletedPbf, ConservesMomentumWherePressureIsPositive)
     const auto before = drop.liquid.predicted.download();
     EXPECT_EQ(iterate(*pressure, drop, 0.1f), 3);
     const auto after = drop.liquid.predicted.download();
-    double sum[3] = {0, 0, 0}, moved = 0;
-    for (std::size_t i = 0; i < after.size(); ++i)
-    {
-        const Vec3 step = after[i] - before[i];
-        sum[0] += step.x;
-        sum[1] += step.y;
-        sum[2] += step.z;
-        moved += norm(step);
-    }
-    EXPECT_GT(moved, 5);
-    for (const double component : sum) EXPECT_NEAR(component, 0, 1e-4);
+    const VectorSum steps = sumOfSteps(before, after);
+    EXPECT_GT(steps.sizes, 5);
+    for (const double component : steps.components) EXPECT_NEAR(component, 0, 1e-4);
 }
 
 TEST(CompletedPbf, RefusesControlsOutOfRange)

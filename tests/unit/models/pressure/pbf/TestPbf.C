@@ -2,6 +2,7 @@
 
 #include "models/density/Density.H"
 #include "support/LiquidCase.H"
+#include "support/VectorSum.H"
 
 #include <algorithm>
 
@@ -68,17 +69,9 @@ TEST(Pbf, ConservesMomentumWithoutWalls)
     model->begin(1);
     while (model->violated(drop.liquid, drop.near, drop.walls)) model->correct(drop.liquid, drop.near, drop.walls);
     const auto after = drop.liquid.predicted.download();
-    double sum[3] = {0, 0, 0}, moved = 0;
-    for (std::size_t i = 0; i < after.size(); ++i)
-    {
-        const Vec3 step = after[i] - before[i];
-        sum[0] += step.x;
-        sum[1] += step.y;
-        sum[2] += step.z;
-        moved += norm(step);
-    }
-    EXPECT_GT(moved, 5);
-    for (const double component : sum) EXPECT_NEAR(component, 0, 1e-4);
+    const VectorSum steps = sumOfSteps(before, after);
+    EXPECT_GT(steps.sizes, 5);
+    for (const double component : steps.components) EXPECT_NEAR(component, 0, 1e-4);
 }
 
 TEST(Pbf, PushesLiquidOffWallsAlongTheirNormals)

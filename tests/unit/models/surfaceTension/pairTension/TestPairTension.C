@@ -2,6 +2,7 @@
 
 #include "models/surfaceTension/pairTension/CohesionSpline.H"
 #include "support/PairReference.H"
+#include "support/VectorSum.H"
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -99,15 +100,8 @@ TEST(PairTension, ConservesMomentum)
         LiquidCase drop;
         const auto tension = makeTension(drop, word);
         drop.place(randomPoints(500, {0, 0, 0}, {7, 7, 7}, 9));
-        double sum[3] = {0, 0, 0}, sizes = 0;
-        for (const Vec3& a : accelerationsOf(drop, *tension))
-        {
-            sum[0] += a.x;
-            sum[1] += a.y;
-            sum[2] += a.z;
-            sizes += norm(a);
-        }
-        for (const double component : sum) EXPECT_NEAR(component, 0, 1e-6 * sizes) << word;
+        const VectorSum forces = sumOf(accelerationsOf(drop, *tension));
+        for (const double component : forces.components) EXPECT_NEAR(component, 0, 1e-6 * forces.sizes) << word;
     }
 }
 
