@@ -60,6 +60,9 @@ set(SHIZUKU_DEVICE_SOURCES
     surface/BlockMap.C
     surface/LiquidSurface.C
     surface/CaseSurface.C
+    stepping/DryRun.C
+    stepping/StepControl.C
+    stepping/SubStep.C
     functionObjects/FlowView.C
     functionObjects/FunctionControl.C
     functionObjects/FunctionObjects.C

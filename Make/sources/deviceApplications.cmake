@@ -4,8 +4,7 @@ set(SHIZUKU_DEVICE_APPLICATIONS
     utilities/postProcessing/meshSurface
     utilities/preProcessing/checkCase
 )
-set(pbfDroplet_SOURCES pbfDroplet.C CaseChanges.C StepControl.C StepReport.C SubStep.C DryRun.C ProfileReport.C Ceilings.C)
+set(pbfDroplet_SOURCES pbfDroplet.C CaseChanges.C StepReport.C ProfileReport.C Ceilings.C)
 set(meshSurface_SOURCES meshSurface.C)
-set(checkCase_SOURCES checkCase.C Findings.C LiquidReport.C SolidReport.C SolvedCase.C
-    ../../../solvers/pbfDroplet/StepControl.C ../../../solvers/pbfDroplet/SubStep.C ../../../solvers/pbfDroplet/DryRun.C)
+set(checkCase_SOURCES checkCase.C Findings.C LiquidReport.C SolidReport.C SolvedCase.C)
 set(meshSurface_PLUGINS shizukuVtk)     # the format vtp, where VTK is

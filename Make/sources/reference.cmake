@@ -2,5 +2,6 @@
 set(SHIZUKU_REFERENCE_SOURCES
     reference/BashforthAdams.C
     reference/DropOscillation.C
+    reference/FlowNumbers.C
     reference/TubeMeniscus.C
 )

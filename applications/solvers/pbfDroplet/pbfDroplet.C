@@ -1,18 +1,18 @@
 // pbfDroplet: liquid with surface tension on wettable solids, by position based fluids.
 //
-// The time loop, with the sub-step in SubStep.C, is the algorithm. What each line computes, and from which paper, stands
-// in the header it comes from.
+// The time loop, with the sub-step in src/stepping/SubStep.C, is the algorithm. What each line computes, and from which
+// paper, stands in the header it comes from.
 
 #include "CaseChanges.H"
-#include "DryRun.H"
 #include "ProfileReport.H"
-#include "StepControl.H"
 #include "StepReport.H"
-#include "SubStep.H"
 #include "core/arguments/runApplication.H"
 #include "functionObjects/FunctionObjects.H"
 #include "motion/SpeedMeter.H"
 #include "particles/ParticleFiles.H"
+#include "stepping/DryRun.H"
+#include "stepping/StepControl.H"
+#include "stepping/SubStep.H"
 
 #include <iostream>
 #include <optional>

@@ -1,4 +1,5 @@
 #include "geometry/ConnectedPoints.H"
+#include "geometry/SeparateBodies.H"
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,24 @@ TEST(ConnectedPoints, gapsAreThoseToTheNearestOtherPoint)
     EXPECT_EQ(gaps.alone, 1u);
     EXPECT_EQ(measureGaps({{0, 0, 0}}, 1).mean, 0);
     EXPECT_EQ(measureGaps({{0, 0, 0}, {0, 0, 0}}, 1).least, 0);
+}
+
+TEST(SeparateBodies, haveTheirParticlesBoxAndMotion)
+{
+    std::vector<Vector3> positions, velocities;
+    addCube(positions, 3, {2.6, 0, 0});
+    addCube(positions, 2, {0, 0, 0});       // 1.6 from the first one
+    velocities.assign(27, {0, 0, 1});
+    velocities.insert(velocities.end(), 4, {0, 2, 0});
+    velocities.insert(velocities.end(), 4, {0, -2, 1});
+    const auto bodies = separateBodies(positions, velocities, 1);
+    ASSERT_EQ(bodies.size(), 2u);
+    EXPECT_EQ(bodies[0].particles.size(), 27u);
+    EXPECT_DOUBLE_EQ(bodies[0].volume, 27);
+    EXPECT_NEAR(bodies[0].diameter(), 3*std::cbrt(6/std::acos(-1.0)), 1e-12);      // of a cube of 3: doubles
+    EXPECT_NEAR(length(bodies[0].size() - Vector3(3, 3, 3)), 0, 1e-14);
+    EXPECT_NEAR(length(bodies[1].velocity - Vector3(0, 0, 0.5)), 0, 1e-15);
+    EXPECT_EQ(bodies[1].low, Vector3(-0.5, -0.5, -0.5));
 }
 
 }

@@ -6,7 +6,7 @@
 #include "SolvedCase.H"
 #include "core/arguments/runApplication.H"
 #include "motion/SpeedMeter.H"
-#include "solvers/pbfDroplet/DryRun.H"
+#include "stepping/DryRun.H"
 
 #include <iostream>
 

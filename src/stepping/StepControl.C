@@ -1,4 +1,4 @@
-#include "StepControl.H"
+#include "stepping/StepControl.H"
 
 #include <cmath>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "SubStep.H"
+#include "stepping/SubStep.H"
 
 #include "motion/Motion.H"
 

@@ -1,0 +1,71 @@
+#include "stepping/DryRun.H"
+
+#include "stepping/SubStep.H"
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <iostream>
+
+namespace shizuku
+{
+
+namespace
+{
+
+double secondsOf(const std::function<void()>& work)
+{
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    synchronize();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}
+
+RunForecast forecastRun
+(
+    const Time& time, const StepControl& control, Liquid& liquid, Walls& walls, Models& models, double maxSpeed,
+    double measuredFor
+)
+{
+    RunForecast forecast;
+    forecast.subStep = control.divide(time.deltaT(), maxSpeed, liquid, models);
+    const double left = std::max(0.0, time.endTime() - time.value());
+    forecast.subSteps = std::max(0.0, std::ceil(left / time.deltaT() - 1e-9)) * forecast.subStep.count;
+
+    Neighbourhood near(liquid);
+    const float dt = liquid.units().toScaled(forecast.subStep.dt, dimensions::time);
+    const auto step = [&] { subStep(liquid, near, walls, models, dt); };
+    secondsOf(step);                // allocates memory and loads code
+    double sum = 0;
+    do
+    {
+        sum += secondsOf(step);
+        ++forecast.measured;
+    }
+    while (sum < measuredFor && forecast.measured < forecast.subSteps);
+    forecast.secondsPerSubStep = sum / forecast.measured;
+    forecast.bytes = deviceCounters().peakBytes;
+    return forecast;
+}
+
+void reportDryRun
+(
+    const Time& time, const StepControl& control, Liquid& liquid, Walls& walls, Models& models,
+    const DeviceInfo& device, double maxSpeed
+)
+{
+    const RunForecast forecast = forecastRun(time, control, liquid, walls, models, maxSpeed);
+    const double megabytes = forecast.bytes / 1048576.0;
+    std::cout
+        << "\nDry run, nothing is written\n"
+        << "memory on the device : " << megabytes << " MiB of " << device.memoryBytes / 1048576.0 << " MiB ("
+        << forecast.bytes / std::max(1, liquid.owned()) << " bytes a liquid particle)\n"
+        << "steps                : " << forecast.subSteps << " of " << forecast.subStep.dt << " s, limited by "
+        << forecast.subStep.limit << '\n'
+        << "time a step          : " << 1e3 * forecast.secondsPerSubStep << " ms, measured on the first steps\n"
+        << "estimated time       : " << forecast.seconds() << " s" << std::endl;
+}
+
+}
