@@ -26,6 +26,7 @@ set(SHIZUKU_CORE_SOURCES
     core/dictionary/MacroScope.C
     core/dictionary/ValueReader.C
     core/fieldFile/AtomicFile.C
+    core/fieldFile/BackgroundWriter.C
     core/fieldFile/CsvFile.C
     core/fieldFile/CsvTable.C
     core/fieldFile/FieldCursor.C

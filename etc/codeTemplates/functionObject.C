@@ -33,7 +33,7 @@ public:
         table_.addRow({flow.time.value(), std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2])});
     }
 
-    void write() override { table_.write(); }
+    WriteJob writing() override { return table_.writing(); }
 
 private:
     std::optional<std::array<double, 3>> first_;        // m

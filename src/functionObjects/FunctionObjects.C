@@ -1,5 +1,6 @@
 #include "functionObjects/FunctionObjects.H"
 
+#include "core/fieldFile/BackgroundWriter.H"
 #include "surface/CaseSurface.H"
 
 namespace shizuku
@@ -41,13 +42,13 @@ void FunctionObjects::execute(FlowView& flow)
     }
 }
 
-void FunctionObjects::write(const Time& time)
+void FunctionObjects::write(const Time& time, BackgroundWriter& writer)
 {
     for (Entry& entry : entries_)
     {
         const bool due = entry.writeControl.due(time) || !time.running();
         if (!due || !entry.unwritten) continue;
-        entry.object->write();
+        writer.add(entry.object->writing());
         entry.unwritten = false;
     }
 }

@@ -2,6 +2,7 @@
 
 #include "core/messages/Error.H"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <sstream>
@@ -50,31 +51,6 @@ void upload(AnyBuffer& values, const FieldData& data, const std::filesystem::pat
     }
 }
 
-std::vector<double> download(const AnyBuffer& values, int n, double unit)
-{
-    std::vector<double> result;
-    if (const auto* scalars = std::get_if<Buffer<float>>(&values))
-    {
-        const auto host = scalars->download();
-        for (int i = 0; i < n; ++i) result.push_back(host[i] * unit);
-    }
-    else if (const auto* vectors = std::get_if<Buffer<Vec3>>(&values))
-    {
-        const auto host = vectors->download();
-        result.reserve(3 * n);
-        for (int i = 0; i < n; ++i)
-        {
-            for (const float component : {host[i].x, host[i].y, host[i].z}) result.push_back(component * unit);
-        }
-    }
-    else
-    {
-        const auto host = std::get<Buffer<std::uint32_t>>(values).download();
-        result.assign(host.begin(), host.begin() + n);
-    }
-    return result;
-}
-
 void numberParticles(AnyBuffer& values, int n)
 {
     std::vector<std::uint32_t> numbers(n);
@@ -113,22 +89,82 @@ void readParticles(ParticleSet& particles, const Units& units, const std::filesy
     }
 }
 
-void writeParticles
-(
-    const ParticleSet& particles, const Units& units, const std::filesystem::path& folder, const WriteFormat& format
-)
+namespace
 {
+
+// Components of the elements from `first` on, in SI.
+void fill(const HostBuffer<Vec3>& host, double unit, std::size_t first, std::span<double> values)
+{
+    const Vec3* vector = host.data() + first;
+    for (std::size_t i = 0; i < values.size(); i += 3, ++vector)
+    {
+        values[i] = vector->x * unit;
+        values[i + 1] = vector->y * unit;
+        values[i + 2] = vector->z * unit;
+    }
+}
+
+template<class T>
+void fill(const HostBuffer<T>& host, double unit, std::size_t first, std::span<double> values)
+{
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = host.data()[first + i] * unit;
+}
+
+}
+
+void ParticleCopy::take(const ParticleSet& particles, const Units& units)
+{
+    name_ = particles.name();
+    count_ = particles.owned();
+    std::size_t taken = 0;
     for (const auto& entry : particles.fields().entries())
     {
-        const FieldInfo& info = entry->info;
-        if (!info.written) continue;
-        FieldData data;
-        data.name = info.name;
-        data.type = typeOf(entry->values);
-        data.dimensions = info.dimensions;
-        data.values = download(entry->values, particles.owned(), units.of(info.dimensions));
-        writeField(folder / info.name, data, format);
+        if (!entry->info.written) continue;
+        if (taken == fields_.size()) fields_.emplace_back();
+        Field& field = fields_[taken++];
+        field.info = entry->info;
+        field.unit = units.of(entry->info.dimensions);
+        std::visit([&](const auto& values) { copy(values, field.values); }, entry->values);
     }
+    fields_.resize(taken);
+}
+
+template<class T>
+void ParticleCopy::copy(const Buffer<T>& values, AnyHostBuffer& target) const
+{
+    if (!std::holds_alternative<HostBuffer<T>>(target)) target = HostBuffer<T>();
+    auto& host = std::get<HostBuffer<T>>(target);
+    host.resizeDiscarding(count_);
+    values.download(host.data(), count_);
+}
+
+void ParticleCopy::write(const std::filesystem::path& timeFolder, const WriteFormat& format) const
+{
+    constexpr FieldType types[] = {FieldType::scalar, FieldType::vector, FieldType::label};     // as in AnyHostBuffer
+    for (const Field& field : fields_)
+    {
+        const auto portion = [&](std::size_t first, std::span<double> values)
+        {
+            std::visit([&](const auto& host) { fill(host, field.unit, first, values); }, field.values);
+        };
+        const FieldSource source{types[field.values.index()], field.info.dimensions, std::size_t(count_), portion};
+        writeField(timeFolder / name_ / field.info.name, source, format);
+    }
+}
+
+std::function<void(const std::filesystem::path&)> ParticleWriter::copy
+(
+    const ParticleSet& particles, const Units& units, const WriteFormat& format
+)
+{
+    const auto unused = [](const std::shared_ptr<ParticleCopy>& copy) { return copy.use_count() == 1; };
+    auto place = std::find_if(copies_.begin(), copies_.end(), unused);
+    if (place == copies_.end()) place = copies_.insert(place, std::make_shared<ParticleCopy>());
+    (*place)->take(particles, units);
+    return [copy = std::shared_ptr<const ParticleCopy>(*place), format](const std::filesystem::path& timeFolder)
+    {
+        copy->write(timeFolder, format);
+    };
 }
 
 }

@@ -1,5 +1,7 @@
 #include "support/FlowCase.H"
 
+#include "core/fieldFile/BackgroundWriter.H"
+
 #include <sstream>
 
 namespace shizuku::test
@@ -35,7 +37,9 @@ void FlowCase::step(const std::vector<Vec3>& positions, const std::vector<Vec3>&
     time_->advance();
     view_->moved(time_->deltaT());
     functions_->execute(*view_);
-    functions_->write(*time_);
+    BackgroundWriter writer;
+    functions_->write(*time_, writer);
+    writer.finish();
 }
 
 std::string FlowCase::table(const std::string& name) const

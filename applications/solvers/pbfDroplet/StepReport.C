@@ -24,13 +24,14 @@ void reportStep(const SubSteps& steps, FlowView& flow)
 
 void refuseDivergence
 (
-    const Time& time, const SubSteps& steps, double spacing, const Speeds& speeds, const std::string& lastWritten
+    const Time& time, const SubSteps& steps, double spacing, const Speeds& speeds, BackgroundWriter& writer
 )
 {
     constexpr double mostSpacings = 10;
     const double moved = speeds.most * steps.dt / spacing;
     if (speeds.nonFinite == 0 && moved <= mostSpacings) return;
 
+    writer.finish();
     std::ostringstream text;
     text << "The run diverged at time " << time.name() << " s: ";
     if (speeds.nonFinite > 0)
@@ -42,7 +43,7 @@ void refuseDivergence
         text << "a particle moves at " << speeds.most << " m/s, by " << moved << " particle spacings in one step of "
              << steps.dt << " s.";
     }
-    text << "\n    The last good state is kept in " << lastWritten
+    text << "\n    The last good state is kept in " << time.lastWritten().string()
          << ".\n    Try adjustTimeStep yes, or a smaller deltaT, maxCo or maxCapillaryCo in system/controlDict,"
             " or more iterations in system/solution.";
     throw FatalError(text.str());

@@ -7,6 +7,7 @@
 #include "ProfileReport.H"
 #include "StepReport.H"
 #include "core/arguments/runApplication.H"
+#include "core/fieldFile/BackgroundWriter.H"
 #include "functionObjects/FunctionObjects.H"
 #include "motion/SpeedMeter.H"
 #include "particles/ParticleFiles.H"
@@ -55,7 +56,8 @@ void pbfDroplet(const Arguments& args)
 
     std::optional<ProfileReport> profile;
     if (args.found("profile")) profile.emplace();
-    std::string lastWritten = time.path();
+    ParticleWriter fields;
+    BackgroundWriter writer;
     while (time.running())
     {
         if (time.readIfModified()) control = StepControl(time.controlDict());
@@ -70,22 +72,18 @@ void pbfDroplet(const Arguments& args)
             if (step + 1 < steps.count) meter.watch(liquid);
         }
         speeds = meter.measure(liquid);
-        refuseDivergence(time, steps, liquid.properties().spacing, speeds, lastWritten);
+        refuseDivergence(time, steps, liquid.properties().spacing, speeds, writer);
 
         flow.moved(steps.dt);
         functions.execute(flow);
         if (time.reportDue()) reportStep(steps, flow);
-        if (time.writeDue())
-        {
-            time.write([&](const auto& folder)
-            {
-                writeParticles(flow.liquid(), liquid.units(), folder / liquid.name(), time.format());
-            });
-            lastWritten = time.path();
-        }
-        functions.write(time);
+        if (time.writeDue()) writer.add(time.writing(fields.copy(flow.liquid(), liquid.units(), time.format())));
+        functions.write(time, writer);
+        writer.start();
         if (profile) profile->count(steps.count);
     }
+    writer.finish();
+    std::cout << "\nWriting: the time loop waited " << writer.waited() << " s for it\n";
     if (profile) profile->report(liquid, near);
 }
 

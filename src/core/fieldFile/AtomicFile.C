@@ -160,4 +160,17 @@ void writeFolderAtomically(const fs::path& folder, const std::function<void(cons
     syncFolder(parentOf(folder));
 }
 
+void removeFolderAtomically(const fs::path& folder)
+{
+    const fs::path aside = partialPath(folder);
+    std::error_code error;
+    fs::remove_all(aside, error);
+    fs::rename(folder, aside, error);
+    if (!error) fs::remove_all(aside, error);
+    if (error && error != std::errc::no_such_file_or_directory)
+    {
+        throw FatalError("Cannot remove " + folder.string() + ": " + error.message());
+    }
+}
+
 }

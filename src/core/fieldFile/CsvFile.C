@@ -37,37 +37,33 @@ std::string cellText(const std::string& value)
 }
 
 CsvFile::CsvFile(std::filesystem::path file, std::vector<Column> columns)
-    : file_(std::move(file)), columns_(std::move(columns))
-{}
-
-void CsvFile::addRow(std::vector<Cell> cells)
+    : file_(std::move(file)), columns_(columns.size())
 {
-    if (cells.size() != columns_.size()) throw std::logic_error("CsvFile: a row has not one cell a column");
-    rows_.push_back(std::move(cells));
+    const char* separator = "";
+    for (const Column& column : columns)
+    {
+        text_ += std::exchange(separator, ",");
+        text_ += cellText(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]");
+    }
+    text_ += '\n';
 }
 
-void CsvFile::write() const
+void CsvFile::addRow(const std::vector<Cell>& cells)
 {
-    writeAtomically(file_, [&](std::ostream& stream)
+    if (cells.size() != columns_) throw std::logic_error("CsvFile: a row has not one cell a column");
+    const char* separator = "";
+    for (const Cell& cell : cells)
     {
-        const char* separator = "";
-        for (const Column& column : columns_)
-        {
-            const std::string unit = column.unit.empty() ? "" : " [" + column.unit + "]";
-            stream << std::exchange(separator, ",") << cellText(column.name + unit);
-        }
-        stream << "\n";
-        for (const auto& row : rows_)
-        {
-            separator = "";
-            for (const Cell& cell : row)
-            {
-                stream << std::exchange(separator, ",");
-                std::visit([&](const auto& value) { stream << cellText(value); }, cell);
-            }
-            stream << "\n";
-        }
-    });
+        text_ += std::exchange(separator, ",");
+        std::visit([&](const auto& value) { text_ += cellText(value); }, cell);
+    }
+    text_ += '\n';
+    ++rows_;
+}
+
+WriteJob CsvFile::writing() const
+{
+    return [file = file_, text = text_] { writeAtomically(file, [&](std::ostream& stream) { stream << text; }); };
 }
 
 }

@@ -3,6 +3,7 @@
 #include "core/fieldFile/FoamFileHeader.H"
 #include "core/messages/Error.H"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -14,30 +15,28 @@ namespace shizuku
 namespace
 {
 
-constexpr std::size_t chunkBytes = 1 << 20;
+constexpr std::size_t portion = 1 << 14;        // elements
 
-// What could not be read back is not written.
-void checkValues(const std::filesystem::path& file, const FieldData& field, bool binary)
+bool canBeRead(double value, FieldType type, bool binary)
 {
-    const bool label = field.type == FieldType::label;
-    const std::size_t components = componentsOf(field.type);
-    for (std::size_t i = 0; i < field.values.size(); ++i)
-    {
-        const double value = field.values[i];
-        const bool valid = label
-            ? std::abs(value) <= std::numeric_limits<std::int32_t>::max() && value == std::trunc(value)
-            : std::isfinite(binary ? static_cast<float>(value) : value);
-        if (valid) continue;
-        throw FatalError
-        (
-            "Cannot write " + file.string() + ": the value " + std::to_string(value) + " of element "
-          + std::to_string(i / components) + " is not a " + (label ? "32-bit label" : "finite number")
-        );
-    }
-    if (field.uniform && field.values.size() != components)
-    {
-        throw FatalError("Cannot write " + file.string() + ": a uniform field has one element");
-    }
+    if (type != FieldType::label) return std::isfinite(binary ? static_cast<float>(value) : value);
+    return std::abs(value) <= std::numeric_limits<std::int32_t>::max() && value == std::trunc(value);
+}
+
+// What could not be read back is not written. first: the element that the values begin with.
+void checkValues
+(
+    const std::filesystem::path& file, FieldType type, std::size_t first, std::span<const double> values, bool binary
+)
+{
+    const auto bad = std::find_if(values.begin(), values.end(), [&](double v) { return !canBeRead(v, type, binary); });
+    if (bad == values.end()) return;
+    throw FatalError
+    (
+        "Cannot write " + file.string() + ": the value " + std::to_string(*bad) + " of element "
+      + std::to_string(first + (bad - values.begin()) / componentsOf(type)) + " is not a "
+      + (type == FieldType::label ? "32-bit label" : "finite number")
+    );
 }
 
 void appendNumber(std::string& text, double value, FieldType type, int precision)
@@ -65,54 +64,91 @@ void appendElement(std::string& text, const double* values, FieldType type, int 
     text += ')';
 }
 
-void writeAsciiList(std::ostream& stream, const FieldData& field, int precision)
+void writeAscii(std::ostream& stream, FieldType type, std::span<const double> values, int precision)
 {
-    const std::size_t components = componentsOf(field.type);
-    std::string text = "\n(\n";
-    text.reserve(chunkBytes + 256);
-    for (std::size_t i = 0; i < field.values.size(); i += components)
+    std::string text;
+    for (std::size_t i = 0; i < values.size(); i += componentsOf(type))
     {
-        appendElement(text, field.values.data() + i, field.type, precision);
+        appendElement(text, values.data() + i, type, precision);
         text += '\n';
-        if (text.size() < chunkBytes) continue;
-        stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-        text.clear();
     }
-    stream << text << ")";
+    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 
 template<class T>
-void writeBinaryList(std::ostream& stream, const std::vector<double>& values)
+void writeBinary(std::ostream& stream, std::span<const double> values)
 {
     const std::vector<T> raw(values.begin(), values.end());
-    stream << "(";
     stream.write(reinterpret_cast<const char*>(raw.data()), static_cast<std::streamsize>(raw.size() * sizeof(T)));
+}
+
+void writeList
+(
+    std::ostream& stream, const std::filesystem::path& file, const FieldSource& source, const WriteFormat& format
+)
+{
+    stream << (format.binary ? "(" : "\n(\n");
+    std::vector<double> buffer(std::min(portion, source.elements) * componentsOf(source.type));
+    for (std::size_t first = 0; first < source.elements; first += portion)
+    {
+        const std::size_t count = std::min(portion, source.elements - first) * componentsOf(source.type);
+        const std::span<double> values(buffer.data(), count);
+        source.fill(first, values);
+        checkValues(file, source.type, first, values, format.binary);
+        if (!format.binary) writeAscii(stream, source.type, values, format.precision);
+        else if (source.type == FieldType::label) writeBinary<std::int32_t>(stream, values);
+        else writeBinary<float>(stream, values);
+    }
     stream << ")";
 }
 
+// write(stream): what stands behind internalField.
+void writeFile
+(
+    const std::filesystem::path& file, FieldType type, const Dimensions& dimensions, bool binary,
+    const std::function<void(std::ostream&)>& write
+)
+{
+    writeAtomically(file, [&](std::ostream& stream)
+    {
+        writeFoamFileHeader(stream, file, typeName(type) + "Field", binary ? "LSB;label=32;scalar=32" : "");
+        stream << "dimensions      " << dimensions.str() << ";\n\ninternalField   ";
+        write(stream);
+        stream << ";\n";
+    });
+}
+
+void writeUniform(const std::filesystem::path& file, const FieldData& field, const WriteFormat& format)
+{
+    if (field.elements() != 1) throw FatalError("Cannot write " + file.string() + ": a uniform field has one element");
+    checkValues(file, field.type, 0, field.values, format.binary);
+    writeFile(file, field.type, field.dimensions, format.binary, [&](std::ostream& stream)
+    {
+        std::string value;
+        appendElement(value, field.values.data(), field.type, format.precision);
+        stream << "uniform " << value;
+    });
+}
+
+}
+
+void writeField(const std::filesystem::path& file, const FieldSource& source, const WriteFormat& format)
+{
+    writeFile(file, source.type, source.dimensions, format.binary, [&](std::ostream& stream)
+    {
+        stream << "nonuniform List<" << typeName(source.type) << "> " << source.elements;
+        writeList(stream, file, source, format);
+    });
 }
 
 void writeField(const std::filesystem::path& file, const FieldData& field, const WriteFormat& format)
 {
-    checkValues(file, field, format.binary);
-    const std::string type = typeName(field.type);
-    writeAtomically(file, [&](std::ostream& stream)
+    if (field.uniform) return writeUniform(file, field, format);
+    const auto fill = [&](std::size_t first, std::span<double> values)
     {
-        writeFoamFileHeader(stream, file, type + "Field", format.binary ? "LSB;label=32;scalar=32" : "");
-        stream << "dimensions      " << field.dimensions.str() << ";\n\ninternalField   ";
-        if (field.uniform)
-        {
-            std::string value;
-            appendElement(value, field.values.data(), field.type, format.precision);
-            stream << "uniform " << value << ";\n";
-            return;
-        }
-        stream << "nonuniform List<" << type << "> " << field.elements();
-        if (!format.binary) writeAsciiList(stream, field, format.precision);
-        else if (field.type == FieldType::label) writeBinaryList<std::int32_t>(stream, field.values);
-        else writeBinaryList<float>(stream, field.values);
-        stream << ";\n";
-    });
+        std::copy_n(field.values.begin() + first * componentsOf(field.type), values.size(), values.begin());
+    };
+    writeField(file, {field.type, field.dimensions, field.elements(), fill}, format);
 }
 
 }

@@ -159,26 +159,30 @@ bool Time::reportDue() const
     return state_.index % controls_.reportInterval == 0 || writeDue();
 }
 
-void Time::write(const std::function<void(const fs::path&)>& fill)
+WriteJob Time::writing(std::function<void(const fs::path&)> fill)
 {
     const fs::path folder = path();
     if (folder == startFolder_)
     {
         throw FatalError("Writing would replace " + folder.string() + ", where the run started");
     }
-    writeFolderAtomically(folder, [&](const fs::path& temporary)
-    {
-        fill(temporary);
-        writeTimeState(temporary, state_);
-    });
-
     std::erase(written_, folder);
     written_.push_back(folder);
+    std::vector<fs::path> surplus;
     while (controls_.purgeWrite > 0 && written_.size() > static_cast<std::size_t>(controls_.purgeWrite))
     {
-        fs::remove_all(written_.front());
+        surplus.push_back(written_.front());
         written_.erase(written_.begin());
     }
+    return [folder, surplus, fill = std::move(fill), state = state_]
+    {
+        writeFolderAtomically(folder, [&](const fs::path& temporary)
+        {
+            fill(temporary);
+            writeTimeState(temporary, state);
+        });
+        for (const fs::path& old : surplus) removeFolderAtomically(old);
+    };
 }
 
 std::string Time::name() const

@@ -15,8 +15,15 @@ std::vector<TimeFolder> timeFolders(const std::filesystem::path& casePath)
         const std::string name = entry.path().filename().string();
         const auto named = timeOfName(name);
         if (!named || !entry.is_directory()) continue;
-        const auto state = readTimeState(entry.path());
-        folders.push_back({state ? state->value : *named, name, entry.path()});
+        try
+        {
+            const auto state = readTimeState(entry.path());
+            folders.push_back({state ? state->value : *named, name, entry.path()});
+        }
+        catch (const FatalInputError&)
+        {
+            if (std::filesystem::exists(entry.path())) throw;       // else purgeWrite of a run has removed it meanwhile
+        }
     }
     std::sort
     (

@@ -117,6 +117,19 @@ void release(void* memory, std::size_t bytes) noexcept
     deviceCounters().bytes -= bytes;
 }
 
+void* allocateHost(std::size_t bytes)
+{
+    void* memory = nullptr;
+    if (bytes == 0) return memory;
+    check(cudaMallocHost(&memory, bytes), "cannot allocate " + std::to_string(bytes >> 20) + " MiB of host memory");
+    return memory;
+}
+
+void releaseHost(void* memory) noexcept
+{
+    cudaFreeHost(memory);
+}
+
 void copyToDevice(void* target, const void* source, std::size_t bytes)
 {
     check(cudaMemcpy(target, source, bytes, cudaMemcpyHostToDevice), "copy to the device");

@@ -84,6 +84,15 @@ void release(void* memory, std::size_t bytes) noexcept
     deviceCounters().bytes -= bytes;
 }
 
+void* allocateHost(std::size_t bytes)
+{
+    void* memory = std::malloc(bytes);
+    if (!memory && bytes > 0) throw FatalError("Cannot allocate " + std::to_string(bytes >> 20) + " MiB of memory");
+    return memory;
+}
+
+void releaseHost(void* memory) noexcept { std::free(memory); }
+
 void copyToDevice(void* target, const void* source, std::size_t bytes) { std::memcpy(target, source, bytes); }
 void copyToHost(void* target, const void* source, std::size_t bytes) { std::memcpy(target, source, bytes); }
 void copyOnDevice(void* target, const void* source, std::size_t bytes) { std::memcpy(target, source, bytes); }

@@ -43,7 +43,7 @@ public:
         }
     }
 
-    void write() override { table_.write(); }
+    WriteJob writing() override { return table_.writing(); }
 
 private:
     DropMeasurement measurement_;

@@ -47,7 +47,7 @@ public:
         });
     }
 
-    void write() override { table_.write(); }
+    WriteJob writing() override { return table_.writing(); }
 
 private:
     // Free area less the wetted area times cos theta, m2.

@@ -82,7 +82,7 @@ public:
         for (std::size_t probe = 0; probe < places_.size(); ++probe) table_.addRow(row(flow, probe));
     }
 
-    void write() override { table_.write(); }
+    WriteJob writing() override { return table_.writing(); }
 
     void modelsMade(FlowView& flow) override
     {

@@ -58,7 +58,7 @@ public:
         }
     }
 
-    void write() override { table_.write(); }
+    WriteJob writing() override { return table_.writing(); }
 
 private:
     WettedSurface surface_;

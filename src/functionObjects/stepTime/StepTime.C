@@ -33,10 +33,11 @@ public:
         last_ = Clock::now();
     }
 
-    void write() override
+    WriteJob writing() override
     {
-        table_.write();
+        WriteJob job = table_.writing();
         last_ = Clock::now();
+        return job;
     }
 
 private:

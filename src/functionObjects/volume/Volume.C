@@ -38,7 +38,7 @@ public:
         });
     }
 
-    void write() override { table_.write(); }
+    WriteJob writing() override { return table_.writing(); }
 
 private:
     CsvFile table_;

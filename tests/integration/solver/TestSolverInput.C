@@ -351,6 +351,21 @@ TEST_P(Input, aFileInTheWayOfATime)
     expectRefusal({"Cannot write", "case/0.002", "not a folder"});
 }
 
+// It fails behind the time loop, which has gone on: the run ends all the same, and keeps what was written before.
+TEST_P(Input, aWriteThatFailsKeepsTheTimesBefore)
+{
+    write("0.004", "a file of the user's");
+    control("endTime 1; writeInterval 2; writeFormat binary; functions { drop { type liquidState; } }");
+    const Outcome outcome = solve();
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(holds(outcome.text, {"FATAL ERROR", "Cannot write", "case/0.004", "not a folder", "pbfDroplet: stopped"}));
+    EXPECT_EQ(readField(path()/"0.002/liquid/U", FieldType::vector, dimensions::velocity).elements(), std::size_t(particles));
+    EXPECT_TRUE(exists("0.002/uniform/time"));
+    EXPECT_EQ(read("0.004"), "a file of the user's");
+    for (const auto& [name, bytes] : contents()) EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
+    for (const std::string time : {"0.006", "0.008", "1"}) EXPECT_FALSE(exists(time)) << time;
+}
+
 TEST_P(Input, anUnwritableCase)
 {
     // Root may write everywhere unless it gives up that right.

@@ -114,6 +114,34 @@ TEST_P(Restart, aRunKilledWhileItWritesContinues)
     });
 }
 
+// Times that are purged are gone at once: none is left that looks whole and is not.
+TEST_P(Restart, aRunThatPurgesContinuesAfterAKill)
+{
+    const Contents expected = uninterrupted(binary);
+    control("endTime 1; writeInterval 1; purgeWrite 2;" + binary);
+    Process process(command("pbfDroplet", ""), folder_.path()/"log");
+    ASSERT_TRUE(process.runUntil([&] { return exists("0.005"); })) << process.log();
+    ASSERT_EQ(process.end(SIGKILL), 128 + SIGKILL) << process.log();
+    int times = 0;
+    for (const std::string& name : folder_.list("case"))
+    {
+        if (!name.starts_with("0.")) continue;
+        ++times;
+        for (const std::string file : {"liquid/positions", "liquid/U", "liquid/id", "uniform/time"})
+        {
+            EXPECT_TRUE(exists(name + "/" + file)) << name << ' ' << file;
+        }
+        if (std::stod(name) > 5.5e-3) remove(name);
+    }
+    // Between a write and its purge there is one more.
+    EXPECT_GE(times, 2);
+    EXPECT_LE(times, 3);
+    control("endTime 9e-3; startFrom latestTime;" + binary);
+    const Outcome outcome = solve();
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(same(expected, results()));
+}
+
 // The same, where the kernel decides on the very moment: SIGXFSZ ends the run in the middle of its first field, since
 // the positions do not fit into 8 KiB.
 TEST_P(Restart, halfATimeIsNoTime)

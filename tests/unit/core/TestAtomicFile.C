@@ -146,6 +146,16 @@ TEST(AtomicFolder, AnErrorInBetweenLeavesNothingOrTheOldOne)
     EXPECT_EQ(folder.read("0.1/liquid/U"), "old");
 }
 
+TEST(AtomicFolder, GoesAtOnce)
+{
+    const ScratchFolder folder;
+    folder.write("0.1/liquid/U", "old");
+    folder.write(".0.1.partial/liquid/U", "left by a killed run");
+    removeFolderAtomically(folder.path() / "0.1");
+    EXPECT_EQ(folder.list(), Names{});
+    removeFolderAtomically(folder.path() / "0.1");      // not there: nothing to do
+}
+
 TEST(PartialNames, AreHiddenAndLeadBackToTheFinalName)
 {
     EXPECT_EQ(partialPath("case/0.05"), fs::path("case/.0.05.partial"));

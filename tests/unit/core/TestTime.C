@@ -42,7 +42,7 @@ public:
             time.advance();
             if (!time.writeDue()) continue;
             names.push_back(time.name());
-            time.write([](const fs::path& folder) { fs::create_directories(folder / "liquid"); });
+            time.writing([](const fs::path& folder) { fs::create_directories(folder / "liquid"); })();
         }
         return names;
     }
@@ -98,7 +98,7 @@ TEST(Time, RestartsWithBitwiseTheSameTimesAndIndices)
         {
             time.advance();
             steps.emplace_back(time.index(), bits(time.value()));
-            if (time.writeDue()) time.write([](const fs::path&) {});
+            if (time.writeDue()) time.writing([](const fs::path&) {})();
         }
     };
     Names wholeNames, continuedNames;
@@ -130,7 +130,7 @@ TEST(Time, ADeltaTThatChangedStartsFromTheExactTime)
     {
         Time time(folder.path());
         for (int i = 0; i < 3; ++i) time.advance();
-        time.write([](const fs::path&) {});
+        time.writing([](const fs::path&) {})();
     }
     folder.control("endTime 1; deltaT 0.05; writeInterval 3;");
     Time time(folder.path());
@@ -223,7 +223,7 @@ TEST(Time, AFailedWriteLeavesTheFormerTimes)
     Time time(folder.path());
     time.advance();
     const auto diverged = [](const fs::path&) { throw FatalError("diverged"); };
-    EXPECT_EQ(messageOf<FatalError>([&] { time.write(diverged); }), "diverged");
+    EXPECT_EQ(messageOf<FatalError>([&] { time.writing(diverged)(); }), "diverged");
     EXPECT_EQ(folder.list(), (Names{"0", "system"}));
 }
 
@@ -232,7 +232,7 @@ TEST(Time, NeverReplacesTheFolderItStartedFrom)
     const Case folder(tenSteps);
     Time time(folder.path());
     EXPECT_FALSE(time.writeDue());
-    EXPECT_TRUE(holds(messageOf<FatalError>([&] { time.write([](const fs::path&) {}); }), {"would replace"}));
+    EXPECT_TRUE(holds(messageOf<FatalError>([&] { time.writing([](const fs::path&) {})(); }), {"would replace"}));
     EXPECT_EQ(folder.read("0/liquid/positions"), "initial");
 }
 

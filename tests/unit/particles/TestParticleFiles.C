@@ -52,8 +52,9 @@ TEST(ParticleFiles, ReturnEveryBitInAsciiWithNineDigitsAndInBinary)
     {
         SCOPED_TRACE(binary ? "binary" : "ascii");
         const auto time = original.folder.path() / (binary ? "1" : "2");
-        std::filesystem::create_directories(time / "liquid");
-        writeParticles(original.liquid, original.liquid.units(), time / "liquid", {.binary = binary, .precision = 9});
+        ParticleCopy written;
+        written.take(original.liquid, original.liquid.units());
+        written.write(time, {.binary = binary, .precision = 9});
 
         Liquid copy(original.liquid.properties(), Dictionary());
         copy.read(time);
@@ -70,8 +71,7 @@ TEST(ParticleFiles, HoldSIValuesOfOwnedParticles)
     LiquidCase drop;
     drop.liquid.resize(2, 1);
     drop.liquid.position.upload({{1, 0, 0}, {0, -3, 0}, {9, 9, 9}});
-    std::filesystem::create_directories(drop.folder.path() / "1/liquid");
-    writeParticles(drop.liquid, drop.liquid.units(), drop.folder.path() / "1/liquid", {});
+    ParticleWriter().copy(drop.liquid, drop.liquid.units(), {})(drop.folder.path() / "1");
     const auto file = drop.folder.path() / "1/liquid/positions";
     const FieldData positions = readField(file, FieldType::vector, dimensions::length);
     ASSERT_EQ(positions.elements(), 2u);
@@ -96,4 +96,33 @@ TEST(ParticleFiles, NumberParticlesThatHaveNoId)
     EXPECT_EQ(drop.liquid.id.download(), (std::vector<std::uint32_t>{0, 1, 2}));
     EXPECT_EQ(drop.liquid.position.download()[2].x, float(3e-3f / drop.liquid.units().length));
     EXPECT_EQ(drop.liquid.density.download(), std::vector<float>(3, 0));
+}
+
+TEST(ParticleFiles, WriteTheMomentThatWasCopied)
+{
+    LiquidCase drop;
+    ParticleWriter writer;
+    const auto copyAt = [&](int n, float x)
+    {
+        drop.liquid.resize(n);
+        drop.liquid.position.upload(std::vector<Vec3>(n, Vec3{x, 0, 0}));
+        return writer.copy(drop.liquid, drop.liquid.units(), {.binary = true});
+    };
+    const auto expect = [&](const std::string& time, std::size_t n, float x)
+    {
+        const FieldData positions = readField(drop.folder.path() / time / "liquid/positions");
+        ASSERT_EQ(positions.elements(), n);
+        EXPECT_EQ(positions(n - 1, 0), x * drop.liquid.units().length);
+    };
+    {
+        // Several are kept apart, in whatever order they are written, while the liquid moves on.
+        const auto first = copyAt(2, 1), second = copyAt(40000, 2);     // more than are written in one go
+        copyAt(3, 3);
+        second(drop.folder.path() / "2");
+        first(drop.folder.path() / "1");
+    }
+    copyAt(5, 4)(drop.folder.path() / "4");
+    expect("1", 2, 1);
+    expect("2", 40000, 2);
+    expect("4", 5, 4);
 }
