@@ -28,7 +28,7 @@ function(shizuku_backend backend)
         target_include_directories(${name}-${backend} PRIVATE
             ${PROJECT_SOURCE_DIR}/applications/${path} ${PROJECT_SOURCE_DIR}/applications)
         target_compile_options(${name}-${backend} PRIVATE ${ARG_FLAGS})
-        target_link_libraries(${name}-${backend} PRIVATE ${library})
+        target_link_libraries(${name}-${backend} PRIVATE ${library} ${${name}_LINK})
         if(${name}_PLUGINS AND TARGET ${${name}_PLUGINS})
             # What registers itself is needed though nothing is called by name; only the linker sees it.
             target_link_libraries(${name}-${backend} PRIVATE

@@ -13,6 +13,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/PlyFile.C
     geometry/PointsInside.C
     geometry/ProfileFit.C
+    geometry/SampledWall.C
     geometry/SeparateBodies.C
     geometry/SolidParticles.C
     geometry/SmoothMesh.C

@@ -1,9 +1,9 @@
 // Puts solid particles onto the walls of type particles: constant/triSurface -> constant/solid.
 
-#include "SampledWall.H"
 #include "WallSurface.H"
 #include "core/arguments/runApplication.H"
 #include "core/time/Controls.H"
+#include "geometry/SampledWall.H"
 #include "geometry/sampling/SeedMethod.H"
 #include "geometry/sampling/SurfaceSampler.H"
 

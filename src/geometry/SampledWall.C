@@ -1,4 +1,4 @@
-#include "SampledWall.H"
+#include "geometry/SampledWall.H"
 
 namespace shizuku
 {

@@ -1,0 +1,16 @@
+# Paths below src/.
+set(SHIZUKU_ADVICE_SOURCES
+    advice/CaseEdits.C
+    advice/Numbers.C
+    advice/Rule.C
+    advice/Scene.C
+    advice/StoredStudies.C
+    advice/TrialCase.C
+    advice/rules/AnalyticWall.C
+    advice/rules/Formulation.C
+    advice/rules/Gravity.C
+    advice/rules/Spacing.C
+    advice/rules/Tension.C
+    advice/rules/TimeStep.C
+    advice/rules/Viscosity.C
+)

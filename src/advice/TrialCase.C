@@ -1,0 +1,115 @@
+#include "advice/TrialCase.H"
+
+#include "advice/CaseEdits.H"
+#include "core/dictionary/DictionaryEditor.H"
+#include "core/dictionary/DictionaryExpansion.H"
+#include "core/fieldFile/AtomicFile.H"
+#include "core/time/Time.H"
+#include "geometry/LiquidFiles.H"
+#include "geometry/SampledWall.H"
+#include "geometry/SolidParticles.H"
+#include "geometry/VectorField.H"
+#include "geometry/liquidBodies/FilledBody.H"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace shizuku
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+fs::path temporaryFolder()
+{
+    std::string name = (fs::temp_directory_path()/"adviseCase-XXXXXX").string();
+    if (!mkdtemp(name.data())) throw FatalError("Cannot make a folder in " + fs::temp_directory_path().string());
+    return name;
+}
+
+// Files are copied, folders linked.
+void take(const fs::path& from, const fs::path& to)
+{
+    fs::create_directories(to);
+    for (const auto& entry : fs::directory_iterator(from))
+    {
+        const fs::path name = to/entry.path().filename();
+        if (entry.is_directory()) fs::create_directory_symlink(fs::absolute(entry.path()), name);
+        else fs::copy_file(entry.path(), name);
+    }
+}
+
+}
+
+TrialCase::TrialCase(const fs::path& casePath, const std::vector<CaseChange>& changes)
+: case_(casePath), path_(temporaryFolder())
+{
+    try
+    {
+        make(changes);
+    }
+    catch (...)
+    {
+        fs::remove_all(path_);
+        throw;
+    }
+}
+
+void TrialCase::make(const std::vector<CaseChange>& changes)
+{
+    for (const char* folder : {"system", "constant"}) take(case_/folder, path_/folder);
+    changeCase(path_, changes, false);
+    const auto times = timeFolders(case_);
+    for (const TimeFolder& time : times) fs::create_directory_symlink(fs::absolute(time.path), path_/time.name);
+    const bool filled = !times.empty() && fs::exists(times.back().path/"liquid");
+    const bool anew = std::any_of(changes.begin(), changes.end(), [](const CaseChange& c) { return c.entry == "spacing"; });
+    if (!filled || anew) refill();
+
+    const double start = times.empty() ? 0 : times.back().value;
+    withoutSolid_ = useSolidParticles(path_) &&
+        (!haveSolidParticles(path_) || findInstance(path_, start, "solid/theta").empty());
+    if (withoutSolid_) leaveOutSolid();
+}
+
+TrialCase::~TrialCase()
+{
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+void TrialCase::refill() const
+{
+    const fs::path dict = path_/"system/fillLiquidDict";
+    if (!fs::exists(dict))
+    {
+        throw FatalInputError({case_.string(), 0}, "The case has no liquid", "0/liquid, or a system/fillLiquidDict that makes it");
+    }
+    for (const TimeFolder& time : timeFolders(path_)) fs::remove(path_/time.name);
+    fs::create_directories(path_/"0/liquid");
+    if (fs::exists(case_/"0/solid")) fs::create_directory_symlink(fs::absolute(case_/"0/solid"), path_/"0/solid");
+
+    std::vector<Vector3> positions, velocities;
+    for (const FilledBody& body : readBodies(Dictionary::read(dict), path_, readSpacing(path_)))
+    {
+        positions.insert(positions.end(), body.positions.begin(), body.positions.end());
+        const std::vector<Vector3> own = body.velocities();
+        velocities.insert(velocities.end(), own.begin(), own.end());
+    }
+    const WriteFormat binary{true, 9};
+    writeField(path_/"0/liquid/positions", toField("positions", dimensions::length, positions), binary);
+    writeField(path_/"0/liquid/U", toField("U", dimensions::velocity, velocities), binary);
+    changeCase(path_, {{"system/controlDict", "startFrom", "firstTime"}}, false);
+}
+
+void TrialCase::leaveOutSolid() const
+{
+    const fs::path file = path_/"constant/walls";
+    DictionaryEditor editor(readText(file), file.string());
+    for (const SampledWall& wall : readSampledWalls(path_)) editor.remove(wall.name);
+    writeAtomically(file, [&](std::ostream& stream) { stream << editor.text(); });
+    changeCase(path_, {{"constant/models", "wetting", "none"}}, false);
+}
+
+}

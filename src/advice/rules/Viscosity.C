@@ -1,0 +1,70 @@
+// Does the answer need the liquid's viscosity, and does the model give it?
+//
+//     effect = 1 - exp(-5 nu t/R^2)
+//
+// what the viscosity takes of the amplitude of a drop's slowest mode in the time t of the run (Lamb 1881;
+// src/reference/DropOscillation.H), R the radius of the smallest body. XSPH damps with
+//
+//     nu_XSPH = c s^2/(2 dt),    s^2 = 3/40 h^2
+//
+// instead (doc/theory/viscosity.md), whatever the liquid's nu is.
+
+#include "advice/Rule.H"
+#include "reference/DropOscillation.H"
+
+#include <cmath>
+
+namespace shizuku
+{
+
+namespace
+{
+
+class Viscosity : public AdviceRule
+{
+public:
+    std::optional<Advice> advise(Scene& scene) const override
+    {
+        const double R = 0.5*scene.smallest().liquid.diameter();
+        const auto lost = [&](double nu) { return 1 - std::exp(-dropDamping(2, nu, R)*scene.duration); };
+        const double h = scene.support*scene.spacing, nu = scene.viscosity, effect = lost(nu);
+        const double smoothing = scene.smoothing*3/40*h*h/(2*scene.subStep), smoothed = lost(smoothing);
+        Advice advice
+        {
+            "keep", "viscosity takes " + percent(effect) + " of a swing in the time of the run (5 nu t/R^2 = " +
+            number(dropDamping(2, nu, R)*scene.duration) + ")",
+            "Lamb 1881; src/advice/rules/Viscosity.C"
+        };
+        const std::string model = scene.models.at("viscosity");
+        if (model == "XSPH")
+        {
+            advice.reason += "; XSPH takes " + percent(smoothed) + " (nu_XSPH = " + number(smoothing) + " m2/s)";
+            advice.source += ", doc/theory/viscosity.md";
+        }
+        std::string better = model;
+        if (effect <= scene.tolerance && (model == "laminar" || (model == "XSPH" && smoothed <= scene.tolerance)))
+        {
+            better = "none";
+            advice.verdict = "leave out";
+        }
+        else if (effect > scene.tolerance && (model == "none" || (model == "XSPH" && nu > smoothing)))
+        {
+            better = "laminar";
+            advice.verdict = model == "none" ? "switch on: the scene needs it"
+                                             : "take laminar: the liquid is thicker than XSPH makes it";
+        }
+        else if (model == "XSPH" && smoothed - effect > scene.tolerance)
+        {
+            advice.verdict = "keep, for what is at rest: what swings is damped too much";
+        }
+        if (better != model) advice.changes = {{"constant/models", "viscosity", better}};
+        scene.models["viscosity"] = better;
+        return advice;
+    }
+};
+
+const AdviceRules::Add<Viscosity> registered{"viscosity"};
+
+}
+
+}

@@ -1,0 +1,126 @@
+// adviseCase says what a case needs, predicts what the solver then needs, and changes the case only when it is told to.
+
+#include "SolverCase.H"
+
+#include "core/dictionary/Dictionary.H"
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+class AdviseCase : public SolverCase
+{
+protected:
+    Outcome advise(const std::string& arguments = "") const { return call("adviseCase", arguments); }
+
+    // The tutorial, as a user copies it: neither sampled nor filled.
+    void copyTutorial(const std::string& name) const
+    {
+        fs::remove_all(path());
+        fs::copy(fs::path(environment("SHIZUKU_DIR"))/"tutorials"/name, path(), fs::copy_options::recursive);
+    }
+
+    double spacingNow() const { return Dictionary::read(path()/"system/solution").lookup<double>("spacing"); }
+
+    // The number behind the last `label` of a text.
+    static double lastNumber(const std::string& text, const std::string& label)
+    {
+        const std::size_t at = text.rfind(label);
+        EXPECT_NE(at, std::string::npos) << label << " is not in:\n" << text;
+        return at == std::string::npos ? 0 : std::stod(text.substr(at + label.size()));
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Devices, AdviseCase, testing::ValuesIn(devices()));
+
+}
+
+TEST_P(AdviseCase, sessileDropAsItIsShipped)
+{
+    copyTutorial("sessileDrop");
+    const Contents kept = contents();
+    const Outcome outcome = advise("-explain -tolerance 0.05");
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(same(kept, contents()));
+    EXPECT_TRUE(holds(outcome.text, {"Liquid: 1997 particles, separate bodies 1", "capillary rules: 4.54545e-05 s",
+        "contact angle of 60 degrees; tolerance 5 %", "take a plane for 'floor'", "Lamb 1881", "Bashforth and Adams 1883",
+        "rung walls", "as it is", "as advised", "particles     1997", "sub-steps     1100 of 4.54545e-05 s", "\nEnd\n"}));
+    // 2.6 % of the height: needed where less matters.
+    EXPECT_TRUE(holds(advise("-tolerance 0.02").text, {"constant/models: bodyForce gravity"}));
+    EXPECT_EQ(outcome.text.find("bodyForce"), std::string::npos) << outcome.text;
+}
+
+TEST_P(AdviseCase, appliedAdviceRuns)
+{
+    copyTutorial("sessileDrop");
+    const Contents before = contents();
+    const Outcome outcome = advise("-apply");
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"Wrote ", "Run ./Allclean, if there are results, and then fillLiquid again"}));
+    Contents after = contents();
+    for (const std::string file : {"system/solution", "constant/walls"})
+    {
+        EXPECT_EQ(after.at(file + ".old"), before.at(file));
+        EXPECT_NE(after.at(file), before.at(file));
+        after.erase(file + ".old");
+        after[file] = before.at(file);
+    }
+    EXPECT_TRUE(same(before, after));                   // nothing else has changed
+    EXPECT_GT(spacingNow(), 1.28e-4);
+
+    const Outcome filled = run(program("fillLiquid") + " -case '" + path().string() + "'");
+    EXPECT_EQ(filled.status, 0) << filled.text;
+    const Outcome dry = solve("-dry-run");
+    EXPECT_EQ(dry.status, 0) << dry.text;
+    // What was predicted of it: the trial is filled as fillLiquid fills.
+    EXPECT_EQ(lastNumber(outcome.text, "sub-steps "), lastNumber(dry.text, "steps                : "));
+    EXPECT_EQ(lastNumber(outcome.text, "memory "), lastNumber(dry.text, "memory on the device : "));
+    EXPECT_EQ(lastNumber(outcome.text, "particles "), lastNumber(dry.text, "Liquid particles "));
+    // The change of the spacing is below what is worthwhile, the wall a plane.
+    EXPECT_TRUE(holds(advise("-apply").text, {"Nothing to change"}));
+}
+
+TEST_P(AdviseCase, predictsWhatTheSolverNeeds)
+{
+    // Solid particles and all. A run of a few sub-steps, which are all timed.
+    const Contents kept = contents();
+    const Outcome outcome = advise("-measure");
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(same(kept, contents()));
+    const Outcome dry = solve("-dry-run");
+    const std::size_t present = outcome.text.find("as it is"), advised = outcome.text.find("as advised");
+    const std::string asItIs = outcome.text.substr(present, advised - present);
+    // More sub-steps than -dry-run makes: lists of neighbours grow where the liquid falls together.
+    const double memory = lastNumber(dry.text, "memory on the device : ");
+    EXPECT_NEAR(lastNumber(asItIs, "memory "), memory, 0.05*memory);
+    EXPECT_EQ(lastNumber(asItIs, "sub-steps "), lastNumber(dry.text, "steps                : "));
+    EXPECT_TRUE(holds(asItIs, {"of solids 324", "measured here on "}));
+    EXPECT_GT(lastNumber(asItIs, "time "), 0);
+    // No fillLiquidDict: the spacing stays.
+    EXPECT_EQ(outcome.text.find("system/solution: spacing"), std::string::npos) << outcome.text;
+}
+
+TEST_P(AdviseCase, badInputIsRefused)
+{
+    const auto refused = [&](const std::string& arguments, const std::vector<std::string>& parts)
+    {
+        expectRefusal(parts, arguments, "", "adviseCase");
+    };
+    refused("-apply -tolerance 0", {"-tolerance is 0", "larger than 0 and smaller than 1"});
+    refused("-apply -tolerance 2", {"-tolerance is 2"});
+    refused("-tolerance much", {"much"});
+    refused("-toleranse 0.1", {"-toleranse", "tolerance"});
+    write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma -1;\n");
+    refused("-apply", {"'sigma' is -1"});
+    write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma 0.07;\n");
+    remove("0/liquid");
+    refused("-apply", {"The case has no liquid", "system/fillLiquidDict"});
+    write("system/fillLiquidDict", "bodies { drop { type sphere; centre (0 0 0); raduis 1; } }");
+    refused("-apply", {"'radius' is missing"});
+}
+
+}

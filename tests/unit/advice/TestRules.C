@@ -1,0 +1,242 @@
+// Each rule turns where a formula of its own, written out here, says so: just below and just above the tolerance.
+
+#include "advice/Rule.H"
+#include "unit/advice/FakeStudies.H"
+
+#include <cmath>
+#include <numbers>
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+constexpr double close = 1e-6;          // relative, of the tolerance about the turning point; doubles
+constexpr double pi = std::numbers::pi;
+
+class RuleTest : public FakeStudies
+{
+protected:
+    // A drop of water of 2000 particles that stands on a level floor.
+    RuleTest()
+    {
+        scene_.studies = &*studies_;
+        scene_.tolerance = 0.05;
+        scene_.density = 1000;
+        scene_.viscosity = 1e-6;
+        scene_.surfaceTension = 0.07;
+        scene_.spacing = 1e-4;
+        scene_.duration = 0.05;
+        scene_.models =
+        {
+            {"pressure", "completedPbf"}, {"surfaceTension", "continuumSurfaceForce"}, {"wetting", "extendedSurface"},
+            {"viscosity", "XSPH"}, {"bodyForce", "none"}
+        };
+        scene_.maxCapillaryCo = 0.7;
+        scene_.smoothing = 0.2;
+        scene_.support = 2;
+        scene_.refillable = true;
+        scene_.subStep = 2e-5;
+        scene_.limit = "capillary";
+        scene_.walls = {{"floor", "plane", Plane{{}, {0, 0, 1}}, {}, {}, 60.0, true}};
+        fill(2000);
+    }
+
+    void fill(double particles, double impactSpeed = 0)
+    {
+        SeparateBody liquid;
+        liquid.volume = particles*std::pow(scene_.spacing, 3);
+        scene_.bodies = {{liquid, 0, 0, impactSpeed}};
+    }
+
+    double diameter() const { return std::cbrt(6*scene_.bodies[0].liquid.volume/pi); }
+
+    std::optional<Advice> ask(const std::string& rule, double tolerance) const
+    {
+        Scene scene = scene_;
+        scene.tolerance = tolerance;
+        return AdviceRules::New("advice", rule, {})->advise(scene);
+    }
+
+    // "models.surfaceTension=none ..." of what is changed.
+    static std::string changes(const std::optional<Advice>& advice)
+    {
+        std::string text = advice ? "" : "no advice";
+        for (const CaseChange& change : advice ? advice->changes : std::vector<CaseChange>())
+        {
+            text += (text.empty() ? "" : " ") + change.entry + "=" + change.value;
+        }
+        return text;
+    }
+
+    Scene scene_;
+};
+
+TEST_F(RuleTest, tensionOfWhatIsHeavyOrFast)
+{
+    scene_.walls.front().type = "box";              // which holds the liquid
+    scene_.gravity = {0, 0, -10};
+    fill(2000, 3);
+    const double D = diameter(), Bo = 1000*10*D*D/0.07, We = 1000*9*D/0.07, effect = 1/(Bo + We);
+    EXPECT_EQ(changes(ask("tension", effect*(1 - close))), "");
+    EXPECT_EQ(changes(ask("tension", effect*(1 + close))), "surfaceTension=none wetting=none");
+    scene_.models["surfaceTension"] = scene_.models["wetting"] = "none";
+    EXPECT_EQ(changes(ask("tension", effect*(1 + close))), "");
+    EXPECT_EQ(changes(ask("tension", effect*(1 - close))), "surfaceTension=continuumSurfaceForce wetting=extendedSurface");
+}
+
+TEST_F(RuleTest, tensionStopsWhatSpreads)
+{
+    scene_.gravity = {0, 0, -10};
+    fill(2e9);                                       // 0.12 to 0.16 m: Bo above 2000
+    const double D = diameter(), l2 = 0.07/(1000*10);
+    const double h = D*D*D/std::pow(D + std::sqrt(10*D)*scene_.duration, 2), effect = l2/(h*h);
+    ASSERT_GT(effect, l2/(D*D));
+    EXPECT_EQ(changes(ask("tension", effect*(1 - close))), "");
+    EXPECT_EQ(changes(ask("tension", effect*(1 + close))), "surfaceTension=none wetting=none");
+}
+
+// A hemisphere under little gravity is lower by Bo (ln(2)/3 - 1/12), Bo = (R/l)^2: the perturbed Young-Laplace equation,
+// (1 - x^2) e')' + 2 e = Bo (x - 2/3 + 2 k), x = cos(phi), e'(0) = 0 and no change of the volume, has
+// e = Bo (k - x ln(1 + x)/3), k = 1/12. The next order is of Bo^2, some percent of it here.
+TEST_F(RuleTest, gravityOnASmallDrop)
+{
+    constexpr double nextOrder = 0.02;
+    scene_.availableGravity = {0, 0, -10};
+    fill(100);
+    scene_.walls.front().theta = 90;
+    const double R = std::cbrt(3*scene_.bodies[0].liquid.volume/(2*pi)), Bo = 1000*10*R*R/0.07;
+    ASSERT_LT(Bo, 0.02);
+    const double effect = Bo*(std::log(2)/3 - 1.0/12);
+    EXPECT_EQ(changes(ask("gravity", effect*(1 - nextOrder))), "bodyForce=gravity");
+    EXPECT_EQ(changes(ask("gravity", effect*(1 + nextOrder))), "");
+    scene_.models["bodyForce"] = "gravity";
+    EXPECT_EQ(changes(ask("gravity", effect*(1 - nextOrder))), "");
+    EXPECT_EQ(changes(ask("gravity", effect*(1 + nextOrder))), "bodyForce=none");
+    // What has to fall, or slides, keeps it.
+    scene_.bodies[0].gap = 2e-4;
+    EXPECT_EQ(changes(ask("gravity", 0.9)), "");
+    scene_.bodies[0].gap = 0;
+    scene_.walls.front().plane->normal = normalized(Vector3(0.1, 0, 1));
+    EXPECT_EQ(changes(ask("gravity", 0.9)), "");
+    scene_.availableGravity = {};
+    EXPECT_EQ(changes(ask("gravity", 0.9)), "no advice");
+}
+
+TEST_F(RuleTest, gravityOnAFreeBody)
+{
+    scene_.availableGravity = {0, 0, -10};
+    scene_.walls.clear();
+    const double fallen = 0.5*10*scene_.duration*scene_.duration/diameter();
+    scene_.duration *= std::sqrt(0.1/fallen);        // a tenth of the diameter
+    EXPECT_EQ(changes(ask("gravity", 0.1*(1 - close))), "bodyForce=gravity");
+    EXPECT_EQ(changes(ask("gravity", 0.1*(1 + close))), "");
+}
+
+TEST_F(RuleTest, viscosityInTheTimeOfTheRun)
+{
+    const double R = diameter()/2, effect = 1 - std::exp(-5*1e-6*scene_.duration/(R*R));
+    scene_.models["viscosity"] = "laminar";
+    EXPECT_EQ(changes(ask("viscosity", effect*(1 - close))), "");
+    EXPECT_EQ(changes(ask("viscosity", effect*(1 + close))), "viscosity=none");
+    scene_.models["viscosity"] = "none";
+    EXPECT_EQ(changes(ask("viscosity", effect*(1 - close))), "viscosity=laminar");
+    EXPECT_EQ(changes(ask("viscosity", effect*(1 + close))), "");
+    // XSPH is as thick as c (3/40) h^2/(2 dt).
+    scene_.models["viscosity"] = "XSPH";
+    const double smoothing = 0.2*3.0/40*4e-8/(2*2e-5);
+    scene_.viscosity = smoothing*(1 - close);
+    EXPECT_EQ(changes(ask("viscosity", 1e-3)), "");
+    scene_.viscosity = smoothing*(1 + close);
+    EXPECT_EQ(changes(ask("viscosity", 1e-3)), "viscosity=laminar");
+    scene_.duration = 1e-6;
+    EXPECT_EQ(changes(ask("viscosity", 1e-3)), "viscosity=none");
+}
+
+TEST_F(RuleTest, planesNeedNoParticles)
+{
+    scene_.walls = {{"floor", "particles", Plane{{0, 0, 0.5}, {0, 0, 1}}, {-1, -1, 0.5}, {1, 1, 0.5}, 60.0, true}};
+    EXPECT_EQ(changes(ask("analyticWall", 0.0041)), "floor={ type plane; point (0 0 0.5); normal (0 0 1); }");
+    EXPECT_EQ(changes(ask("analyticWall", 0.0039)), "");           // 0.004 is stored
+    scene_.bodies[0].liquid.low = {-0.5, -0.5, 0.5};
+    scene_.bodies[0].liquid.high = {1.1, 0.5, 1};
+    EXPECT_TRUE(holds(ask("analyticWall", 0.05)->reason, {"beyond the edge of 'floor'"}));
+    scene_.bodies[0].liquid.high.x = 0.9;
+    EXPECT_NE(changes(ask("analyticWall", 0.05)), "");
+    scene_.walls[0].evenTheta = false;
+    EXPECT_TRUE(holds(ask("analyticWall", 0.05)->reason, {"not the same everywhere"}));
+    scene_.walls[0].plane.reset();
+    EXPECT_TRUE(holds(ask("analyticWall", 0.05)->reason, {"no plane"}));
+    scene_.walls[0].type = "sphere";
+    EXPECT_EQ(changes(ask("analyticWall", 0.05)), "no advice");
+}
+
+TEST_F(RuleTest, formulationOfTheLeastError)
+{
+    EXPECT_EQ(changes(ask("formulation", 0.05)), "no advice");
+    scene_.models["pressure"] = "pbf";
+    scene_.models["surfaceTension"] = "Fujisawa2014";
+    scene_.models["wetting"] = "contactAngle";
+    const auto advice = ask("formulation", 0.05);   // 30 % against 5 % at 2000 particles
+    EXPECT_EQ(changes(advice), "pressure=completedPbf surfaceTension=continuumSurfaceForce wetting=extendedSurface");
+    EXPECT_TRUE(holds(advice->reason, {"the default 5 %", "the case's models 30 %"}));
+}
+
+TEST_F(RuleTest, spacingThatTheToleranceAsksFor)
+{
+    // error = 100/N: 4000 particles for 0.025, in steps of 2 %, and the spacing has three digits, rounded down.
+    const auto spacing = [&](double tolerance)
+    {
+        const std::string text = changes(ask("spacing", tolerance));
+        return text.empty() ? 1e-4 : std::stod(text.substr(text.find('=') + 1));
+    };
+    EXPECT_NEAR(spacing(0.025), 1e-4*std::cbrt(2000.0/4000), 0.0101e-4);
+    EXPECT_LE(spacing(0.025), 1e-4*std::cbrt(2000.0/4000));
+    EXPECT_NEAR(spacing(0.1), 1e-4*std::cbrt(2000.0/1000), 0.0101e-4);     // never fewer than were run
+    EXPECT_EQ(changes(ask("spacing", 0.05)), "");                            // as it is
+    EXPECT_TRUE(holds(ask("spacing", 0.009)->reason, {"no stored study reaches the tolerance: 1 % with 10000"}));
+    scene_.refillable = false;
+    EXPECT_TRUE(holds(ask("spacing", 0.025)->verdict, {"no system/fillLiquidDict"}));
+    EXPECT_EQ(changes(ask("spacing", 0.025)), "");
+}
+
+TEST_F(RuleTest, spacingTrustsNoLuck)
+{
+    scene_.walls.clear();                                                   // period of a free drop: 1 % coarse, 20 % fine
+    EXPECT_EQ(changes(ask("spacing", 0.05)), "");
+    EXPECT_TRUE(holds(ask("spacing", 0.05)->reason, {"no stored study reaches the tolerance"}));
+}
+
+TEST_F(RuleTest, stepThatIsCalmAndWithinTheTolerance)
+{
+    fill(10000);                                                            // error 0.01 sqrt(steps/0.7)
+    EXPECT_EQ(changes(ask("timeStep", 0.0201)), "maxCapillaryCo=2.8");
+    EXPECT_EQ(changes(ask("timeStep", 0.5)), "maxCapillaryCo=2.8");         // 5 is not calm
+    EXPECT_EQ(changes(ask("timeStep", 0.0199)), "");
+    scene_.maxCapillaryCo = 3.5;
+    EXPECT_EQ(changes(ask("timeStep", 0.0199)), "maxCapillaryCo=0.7");
+    scene_.limit = "Courant";
+    EXPECT_EQ(changes(ask("timeStep", 0.5)), "");
+    scene_.models["surfaceTension"] = "none";
+    EXPECT_EQ(changes(ask("timeStep", 0.5)), "no advice");
+}
+
+TEST_F(RuleTest, laterRulesSeeWhatEarlierOnesChanged)
+{
+    // Coarse first; then the step has nothing left of the tolerance.
+    std::string text;
+    for (const Advice& advice : adviseOn(scene_))
+    {
+        if (!advice.changes.empty()) text += advice.rule + " ";
+    }
+    EXPECT_EQ(text, "");                     // 5 % with 2000 particles is what is asked
+    scene_.tolerance = 0.1;
+    for (const Advice& advice : adviseOn(scene_)) text += advice.changes.empty() ? "" : advice.rule + " ";
+    EXPECT_EQ(text, "spacing ");
+    EXPECT_NEAR(scene_.particles(scene_.bodies[0]), 1000, 30);             // the spacing's three digits
+}
+
+}
+
+}
