@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numeric>
 
 using namespace shizuku;
@@ -109,6 +110,19 @@ TEST(NeighbourList, TellsClustersApartThatShareTheirCells)
     {
         const auto copy = shifted(cluster, by);
         points.insert(points.end(), copy.begin(), copy.end());
+    }
+    expectAllPairs(points);
+}
+
+// What a diverging step makes of positions: the search must end, and leave the others alone.
+TEST(NeighbourList, EndsForPointsAtInfinityAndNowhere)
+{
+    auto points = randomPoints(300, {0, 0, 0}, {4, 4, 4});
+    const float far = 1e30f, infinity = std::numeric_limits<float>::infinity();
+    for (const Vec3 p : {Vec3{far, 0, 0}, Vec3{0, -far, far}, Vec3{1, infinity, 1}, Vec3{-infinity, 1, 1},
+                         Vec3{std::numeric_limits<float>::quiet_NaN(), 1, 1}})
+    {
+        points.push_back(p);
     }
     expectAllPairs(points);
 }
