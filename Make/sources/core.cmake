@@ -32,9 +32,11 @@ set(SHIZUKU_CORE_SOURCES
     core/fieldFile/FieldCursor.C
     core/fieldFile/FieldFile.C
     core/fieldFile/FieldListReader.C
+    core/fieldFile/FieldReader.C
     core/fieldFile/FieldWriter.C
     core/fieldFile/FileBuffer.C
     core/fieldFile/FoamFileHeader.C
+    core/fieldFile/MappedFile.C
     core/fieldFile/PostProcessing.C
     core/messages/Error.C
     core/messages/Progress.C

@@ -1,10 +1,12 @@
 #include "particles/ParticleFiles.H"
 
+#include "core/fieldFile/FieldReader.H"
 #include "core/messages/Error.H"
+#include "device/ForEach.H"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 #include <sstream>
 
 namespace shizuku
@@ -20,56 +22,71 @@ FieldType typeOf(const AnyBuffer& values)
     return FieldType::label;
 }
 
-void upload(AnyBuffer& values, const FieldData& data, const std::filesystem::path& file, int n, double unit)
+// Numbers that single precision cannot hold, nor the square of.
+void refuseLarge(const std::filesystem::path& file, std::size_t first, std::span<const double> values, int components, double unit)
 {
-    constexpr double most = 1e15;       // scaled; its square is a float still
-    const auto scaled = [&](int i, int c = 0)
-    {
-        const double value = data(i, c) / unit;
-        if (std::abs(value) < most) return float(value);
-        std::ostringstream text;
-        text << "The value " << data(i, c) << " of element " << i << " is too large for the spacing and the liquid";
-        throw FatalInputError({file.string(), 0}, text.str(), "SI values here, and for spacing, rho and sigma too");
-    };
-    if (auto* scalars = std::get_if<Buffer<float>>(&values))
-    {
-        std::vector<float> host(n);
-        for (int i = 0; i < n; ++i) host[i] = scaled(i);
-        scalars->upload(host);
-    }
-    else if (auto* vectors = std::get_if<Buffer<Vec3>>(&values))
-    {
-        std::vector<Vec3> host(n);
-        for (int i = 0; i < n; ++i) host[i] = {scaled(i, 0), scaled(i, 1), scaled(i, 2)};
-        vectors->upload(host);
-    }
-    else
-    {
-        std::vector<std::uint32_t> host(n);
-        for (int i = 0; i < n; ++i) host[i] = std::uint32_t(data(i));
-        std::get<Buffer<std::uint32_t>>(values).upload(host);
-    }
+    constexpr double most = 1e15;       // scaled
+    const double largest = most * unit;
+    const auto bad = std::find_if(values.begin(), values.end(), [&](double value) { return !(std::abs(value) < largest); });
+    if (bad == values.end()) return;
+    std::ostringstream text;
+    text << "The value " << *bad << " of element " << first + (bad - values.begin()) / components
+         << " is too large for the spacing and the liquid";
+    throw FatalInputError({file.string(), 0}, text.str(), "SI values here, and for spacing, rho and sigma too");
 }
 
-void numberParticles(AnyBuffer& values, int n)
+Vec3 scaled(const double* si, double unit, Vec3)
 {
-    std::vector<std::uint32_t> numbers(n);
-    std::iota(numbers.begin(), numbers.end(), 0u);
-    std::get<Buffer<std::uint32_t>>(values).upload(numbers);
+    return {float(si[0] / unit), float(si[1] / unit), float(si[2] / unit)};
 }
+
+float scaled(const double* si, double unit, float) { return float(*si / unit); }
+
+std::uint32_t scaled(const double* label, double, std::uint32_t) { return std::uint32_t(*label); }
+
+template<class T>
+void upload(Buffer<T>& values, const FieldReader& reader, const std::filesystem::path& file, int n, double unit)
+{
+    const int components = componentsOf(reader.type());
+    std::vector<T> host;
+    reader.read(n, [&](std::size_t first, std::span<const double> portion)
+    {
+        if (reader.type() != FieldType::label) refuseLarge(file, first, portion, components, unit);
+        host.resize(portion.size() / components);
+        for (std::size_t i = 0; i < host.size(); ++i) host[i] = scaled(&portion[i * components], unit, T{});
+        values.upload(host, int(first));
+    });
+}
+
+struct Number
+{
+    Span<std::uint32_t> number;
+
+    HOST_DEVICE void operator()(int i) const { number[i] = std::uint32_t(i); }
+};
 
 }
 
 void readParticles(ParticleSet& particles, const Units& units, const std::filesystem::path& folder)
 {
-    const FieldData positions = readField(folder / "positions", FieldType::vector, dimensions::length);
-    if (positions.uniform)
+    const std::filesystem::path positionFile = folder / "positions";
+    const FieldReader positions(positionFile, FieldType::vector, dimensions::length);
+    const auto refuse = [&](const std::string& found, const std::string& expected)
     {
-        throw FatalInputError
+        throw FatalInputError({positionFile.string(), 0}, found, expected);
+    };
+    if (positions.uniform())
+    {
+        refuse
         (
-            {(folder / "positions").string(), 0}, "All particles are at the same place: the field is uniform",
+            "All particles are at the same place: the field is uniform",
             "internalField nonuniform List<vector> ..., one position a particle"
         );
+    }
+    constexpr std::size_t most = std::numeric_limits<int>::max();
+    if (positions.elements() > most)
+    {
+        refuse("There are " + std::to_string(positions.elements()) + " particles", std::to_string(most) + " at most");
     }
     const int n = int(positions.elements());
     particles.resize(n);
@@ -80,12 +97,15 @@ void readParticles(ParticleSet& particles, const Units& units, const std::filesy
         const auto file = folder / info.name;
         if (info.name == "id" && !std::filesystem::exists(file))
         {
-            numberParticles(entry->values, n);
+            forEach(n, Number{std::get<Buffer<std::uint32_t>>(entry->values).span()});
             continue;
         }
-        const FieldData data =
-            info.name == "positions" ? positions : readField(file, typeOf(entry->values), info.dimensions, n);
-        upload(entry->values, data, file, n, units.of(info.dimensions));
+        const auto read = [&](const FieldReader& reader)
+        {
+            std::visit([&](auto& values) { upload(values, reader, file, n, units.of(info.dimensions)); }, entry->values);
+        };
+        if (info.name == "positions") read(positions);
+        else read(FieldReader(file, typeOf(entry->values), info.dimensions, n));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/fieldFile/FieldFile.H"
 #include "core/time/Time.H"
+#include "device/Reduce.H"
 #include "geometry/AnalyticSurface.H"
 #include "geometry/NearestPoint.H"
 #include "geometry/SolidParticles.H"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -185,6 +187,35 @@ struct KeepBeforeLayer
         if (lacking <= 0 || agreement < 0.5f) return;
         const Vec3 outwards = (1 / norm(normal)) * normal;
         predicted[i] += fminf(lacking, fmaxf(0, dot(position[i] - x, outwards))) * outwards;
+    }
+};
+
+// The first particle that is too near to a surface, or behind it, and the first such surface.
+struct FirstInside
+{
+    static constexpr int none = std::numeric_limits<int>::max();
+
+    int particle = none, surface = 0;
+
+    HOST_DEVICE void add(const FirstInside& other)
+    {
+        if (other.particle < particle) *this = other;
+    }
+};
+
+struct InsideSurface
+{
+    WallSurfacesView surfaces;
+    float nearest;                  // distance that is far enough
+    Span<const Vec3> position;
+
+    HOST_DEVICE FirstInside operator()(int i) const
+    {
+        for (int a = 0; a < surfaces.count; ++a)
+        {
+            if (surfaces.surface[a](position[i]).distance < nearest) return {i, a};
+        }
+        return {};
     }
 };
 
@@ -406,24 +437,25 @@ void Walls::project(Liquid& liquid) const
 
 void Walls::refuseLiquidInside(const Liquid& liquid) const
 {
-    const auto positions = liquid.position.download();
-    const auto refuse = [&](int i, const std::string& wall, const SourceLocation& where)
+    const auto refuse = [&](const Vector3& x, int i, const std::string& wall, const SourceLocation& where)
     {
-        const Vec3 x = positions[i];
-        const double unit = liquid.units().length;
         throw FatalInputError
         (
-            where, "Liquid particle " + std::to_string(i) + " at " + str(Vector3(x.x * unit, x.y * unit, x.z * unit))
-          + " m is inside the solid '" + wall + "', or too near to it",
-            "liquid half a spacing outside of every wall"
+            where, "Liquid particle " + std::to_string(i) + " at " + str(x) + " m is inside the solid '" + wall
+          + "', or too near to it", "liquid half a spacing outside of every wall"
         );
     };
-    for (int i = 0; i < liquid.owned(); ++i)
+    const double unit = liquid.units().length;
+    if (surfaces_.count > 0)
     {
-        for (int a = 0; a < surfaces_.count; ++a)
+        Buffer<FirstInside> scratch;
+        const InsideSurface inside{surfaces_, 0.25f * liquid.spacing(), liquid.position.span()};
+        const FirstInside first = reduce(liquid.owned(), inside, scratch);
+        if (first.particle != FirstInside::none)
         {
-            const float distance = surfaces_.surface[a](positions[i]).distance;
-            if (distance < 0.25f * liquid.spacing()) refuse(i, surfaceNames_[a], dict_.where(surfaceNames_[a]));
+            const Vec3 x = liquid.position.download()[first.particle];
+            const std::string& name = surfaceNames_[first.surface];
+            refuse({x.x * unit, x.y * unit, x.z * unit}, first.particle, name, dict_.where(name));
         }
     }
     if (solid_.all() == 0) return;
@@ -431,15 +463,16 @@ void Walls::refuseLiquidInside(const Liquid& liquid) const
     const SolidParticles solid = readSolidParticles(case_);
     const NearestPoint nearest(solid.positions);
     const double d = liquid.properties().spacing;
+    const auto positions = liquid.position.download();
     for (int i = 0; i < liquid.owned(); ++i)
     {
-        const Vector3 x(positions[i].x, positions[i].y, positions[i].z);
-        const std::size_t k = nearest(liquid.units().length * x);
-        const Vector3 r = liquid.units().length * x - solid.positions[k];
+        const Vector3 x(positions[i].x * unit, positions[i].y * unit, positions[i].z * unit);
+        const std::size_t k = nearest(x);
+        const Vector3 r = x - solid.positions[k];
         const double height = dot(r, solid.normals[k]);
         // Behind the layer; but not beside its border, where the nearest particle is far off to one side.
         const bool behind = height < 0 && squaredLength(r) - height * height < d * d;
-        if (behind || squaredLength(r) < 0.25 * d * d) refuse(i, solid.patches[solid.patch[k]], dict_.where());
+        if (behind || squaredLength(r) < 0.25 * d * d) refuse(x, i, solid.patches[solid.patch[k]], dict_.where());
     }
 }
 

@@ -22,6 +22,13 @@ void reportStep(const SubSteps& steps, FlowView& flow)
         << executionTime() << std::endl;
 }
 
+void reportCosts(const Liquid& liquid, const BackgroundWriter& writer)
+{
+    const std::size_t bytes = deviceCounters().peakBytes;
+    std::cout << "\nMemory on the device: " << bytes / 1048576.0 << " MiB (" << bytes / liquid.owned()
+              << " bytes a liquid particle)\nWriting: the time loop waited " << writer.waited() << " s for it" << std::endl;
+}
+
 void refuseDivergence
 (
     const Time& time, const SubSteps& steps, double spacing, const Speeds& speeds, BackgroundWriter& writer

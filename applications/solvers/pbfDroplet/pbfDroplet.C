@@ -56,6 +56,7 @@ void pbfDroplet(const Arguments& args)
 
     std::optional<ProfileReport> profile;
     if (args.found("profile")) profile.emplace();
+    std::cout << "Ready for the first step after " << clockTime() << " s" << std::endl;
     ParticleWriter fields;
     BackgroundWriter writer;
     while (time.running())
@@ -83,7 +84,7 @@ void pbfDroplet(const Arguments& args)
         if (profile) profile->count(steps.count);
     }
     writer.finish();
-    std::cout << "\nWriting: the time loop waited " << writer.waited() << " s for it\n";
+    reportCosts(liquid, writer);
     if (profile) profile->report(liquid, near);
 }
 

@@ -83,14 +83,18 @@ int runApplication
     }
 }
 
+double clockTime()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - startTime).count();
+}
+
 std::string executionTime()
 {
     const double processor = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    const auto wall = std::chrono::steady_clock::now() - startTime;
     std::ostringstream text;
     text
         << std::fixed << std::setprecision(2) << "ExecutionTime = " << processor << " s  ClockTime = "
-        << std::chrono::duration_cast<std::chrono::seconds>(wall).count() << " s";
+        << long(clockTime()) << " s";
     return text.str();
 }
 

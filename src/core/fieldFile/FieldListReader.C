@@ -23,20 +23,20 @@ std::string elementName(std::size_t element)
     return "element " + std::to_string(element);
 }
 
-void checkFinite(const FieldCursor& cursor, double value, std::size_t element)
+bool isGood(double value) { return std::isfinite(value); }
+bool isGood(long value) { return std::labs(value) <= largestExactInteger; }
+
+[[noreturn]] void refuse(const SourceLocation& where, double value, std::size_t element)
 {
-    if (std::isfinite(value)) return;
     const std::string text = std::isnan(value) ? "NaN" : "infinite";
-    throw FatalInputError(cursor.where(), "The value of " + elementName(element) + " is " + text, "a finite number");
+    throw FatalInputError(where, "The value of " + elementName(element) + " is " + text, "a finite number");
 }
 
-void checkLabel(const FieldCursor& cursor, long value, std::size_t element)
+[[noreturn]] void refuse(const SourceLocation& where, long value, std::size_t element)
 {
-    if (std::labs(value) <= largestExactInteger) return;
     throw FatalInputError
     (
-        cursor.where(), "The label " + std::to_string(value) + " of " + elementName(element) + " is too large",
-        "at most 2^53"
+        where, "The label " + std::to_string(value) + " of " + elementName(element) + " is too large", "at most 2^53"
     );
 }
 
@@ -55,12 +55,12 @@ double readComponent(FieldCursor& cursor, FieldType type, std::size_t element)
     if (type == FieldType::label)
     {
         const long value = cursor.integer("an integer for " + elementName(element));
-        checkLabel(cursor, value, element);
+        if (!isGood(value)) refuse(cursor.where(), value, element);
         return static_cast<double>(value);
     }
     cursor.skipBlanks();
     const double value = cursor.number("a number for " + elementName(element));
-    checkFinite(cursor, value, element);
+    if (!isGood(value)) refuse(cursor.where(), value, element);
     return value;
 }
 
@@ -77,24 +77,6 @@ void readElement(FieldCursor& cursor, FieldType type, std::vector<double>& value
     if (!cursor.accept(')')) cursor.fail("')' behind three components of " + elementName(element));
 }
 
-template<class T>
-std::vector<double> convert(const FieldCursor& cursor, std::size_t size, int components)
-{
-    std::vector<double> values(size);
-    const char* raw = cursor.data();
-    for (std::size_t i = 0; i < size; ++i)
-    {
-        T value;
-        std::memcpy(&value, raw + i * sizeof(T), sizeof(T));
-        if constexpr (std::is_integral_v<T>) checkLabel(cursor, value, i / components);
-        else checkFinite(cursor, value, i / components);
-        values[i] = static_cast<double>(value);
-    }
-    return values;
-}
-
-}
-
 void checkLength(const SourceLocation& where, long elements, long expectedElements)
 {
     if (expectedElements < 0 || elements == expectedElements) return;
@@ -103,6 +85,8 @@ void checkLength(const SourceLocation& where, long elements, long expectedElemen
         where, "The field has " + std::to_string(elements) + " elements",
         std::to_string(expectedElements) + " elements, one a particle"
     );
+}
+
 }
 
 std::vector<double> readAsciiList(FieldCursor& cursor, FieldType type, long expectedElements)
@@ -143,47 +127,35 @@ std::vector<double> readAsciiList(FieldCursor& cursor, FieldType type, long expe
     return values;
 }
 
-std::vector<double> readBinaryList
-(
-    FieldCursor& cursor, FieldType type, const BinaryLayout& layout, long expectedElements
-)
+BinaryList::BinaryList(FieldCursor& cursor, FieldType type, const BinaryLayout& layout, long expectedElements)
+    : type_(type), bytes_(type == FieldType::label ? layout.labelBytes : layout.scalarBytes)
 {
     cursor.skipBlanks();
     const SourceLocation start = cursor.where();
     const long length = readLength(cursor);
     checkLength(start, length, expectedElements);
+    elements_ = length;
     if (length == 0)
     {
         // OpenFOAM writes an empty list as "0" alone or as "0()".
         if (cursor.accept('(')) cursor.expect(')', "of the empty list");
-        return {};
+        return;
     }
     cursor.expect('(', "before the raw values");
+    raw_ = cursor.data();
+    where_ = cursor.where();
 
-    const int components = componentsOf(type);
-    const int bytes = type == FieldType::label ? layout.labelBytes : layout.scalarBytes;
-    const std::size_t there = cursor.remaining() / (static_cast<std::size_t>(bytes) * components);
-    if (there < static_cast<std::size_t>(length))
+    const std::size_t size = static_cast<std::size_t>(bytes_) * componentsOf(type);
+    const std::size_t there = cursor.remaining() / size;
+    if (there < elements_)
     {
         throw FatalInputError
         (
             start, "The binary list is truncated: the file ends within " + elementName(there),
-            std::to_string(length) + " elements of " + std::to_string(bytes * components) + " bytes"
+            std::to_string(length) + " elements of " + std::to_string(size) + " bytes"
         );
     }
-
-    const std::size_t size = static_cast<std::size_t>(length) * components;
-    std::vector<double> values;
-    if (type == FieldType::label)
-    {
-        values = bytes == 4 ? convert<std::int32_t>(cursor, size, components)
-                            : convert<std::int64_t>(cursor, size, components);
-    }
-    else
-    {
-        values = bytes == 4 ? convert<float>(cursor, size, components) : convert<double>(cursor, size, components);
-    }
-    cursor.moveBy(size * bytes);
+    cursor.moveBy(elements_ * size);
     if (cursor.remaining() == 0 || *cursor.data() != ')')
     {
         throw FatalInputError
@@ -193,7 +165,26 @@ std::vector<double> readBinaryList
         );
     }
     cursor.moveBy(1);
-    return values;
+}
+
+void BinaryList::read(std::size_t first, std::span<double> values) const
+{
+    if (type_ != FieldType::label) bytes_ == 4 ? convert<float>(first, values) : convert<double>(first, values);
+    else bytes_ == 4 ? convert<std::int32_t>(first, values) : convert<std::int64_t>(first, values);
+}
+
+template<class T>
+void BinaryList::convert(std::size_t first, std::span<double> values) const
+{
+    using Wide = std::conditional_t<std::is_integral_v<T>, long, double>;
+    const char* const raw = raw_ + first * componentsOf(type_) * sizeof(T);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+        T value;
+        std::memcpy(&value, raw + i * sizeof(T), sizeof(T));
+        if (!isGood(Wide(value))) refuse(where_, Wide(value), first + i / componentsOf(type_));
+        values[i] = static_cast<double>(value);
+    }
 }
 
 }
