@@ -8,7 +8,6 @@
 #include "geometry/LiquidFiles.H"
 #include "geometry/SampledWall.H"
 #include "geometry/SolidParticles.H"
-#include "geometry/VectorField.H"
 #include "geometry/liquidBodies/FilledBody.H"
 
 #include <algorithm>
@@ -90,16 +89,8 @@ void TrialCase::refill() const
     fs::create_directories(path_/"0/liquid");
     if (fs::exists(case_/"0/solid")) fs::create_directory_symlink(fs::absolute(case_/"0/solid"), path_/"0/solid");
 
-    std::vector<Vector3> positions, velocities;
-    for (const FilledBody& body : readBodies(Dictionary::read(dict), path_, readSpacing(path_)))
-    {
-        positions.insert(positions.end(), body.positions.begin(), body.positions.end());
-        const std::vector<Vector3> own = body.velocities();
-        velocities.insert(velocities.end(), own.begin(), own.end());
-    }
-    const WriteFormat binary{true, 9};
-    writeField(path_/"0/liquid/positions", toField("positions", dimensions::length, positions), binary);
-    writeField(path_/"0/liquid/U", toField("U", dimensions::velocity, velocities), binary);
+    const std::vector<FilledBody> bodies = readBodies(Dictionary::read(dict), path_, readSpacing(path_));
+    writeBodies(path_/"0/liquid", bodies, {.binary = true});
     changeCase(path_, {{"system/controlDict", "startFrom", "firstTime"}}, false);
 }
 

@@ -34,6 +34,16 @@ int readInteger(const Dictionary& dict, const std::string& key, int fallback, in
     );
 }
 
+std::optional<Schedule> readWrite(const Dictionary& dict, double deltaT)
+{
+    std::vector<std::string> words = scheduleWords();
+    words.push_back("none");
+    const std::string control = dict.lookupChoiceOr("writeControl", words, "timeStep");
+    if (control != "none") return readSchedule(dict, "write", control, deltaT);
+    if (dict.found("writeInterval")) dict.lookup<double>("writeInterval");      // may stay for the next run
+    return {};
+}
+
 double readFiniteTime(const Dictionary& dict, const std::string& key)
 {
     const double value = dict.lookupDimensioned(key, dimensions::time);
@@ -99,10 +109,7 @@ Controls readControls(const Dictionary& dict)
     controls.stopAt = choose<StopAt>(dict, "stopAt", {"endTime", "writeNow", "noWriteNow", "nextWrite"}, "endTime");
     controls.endTime = readFiniteTime(dict, "endTime");
     controls.deltaT = dict.lookupPositive("deltaT", dimensions::time);
-    controls.write = readSchedule
-    (
-        dict, "write", dict.lookupChoiceOr("writeControl", scheduleWords(), "timeStep"), controls.deltaT
-    );
+    controls.write = readWrite(dict, controls.deltaT);
     controls.purgeWrite = readInteger(dict, "purgeWrite", 0, 0, std::numeric_limits<int>::max());
     controls.format.binary = dict.lookupChoiceOr("writeFormat", {"ascii", "binary"}, "ascii") == "binary";
     controls.format.precision = readInteger(dict, "writePrecision", 9, 1, 17);

@@ -119,6 +119,11 @@ void Time::use(const Controls& controls)
     state_.originIndex = state_.index;
 }
 
+bool Time::intervalIsOver() const
+{
+    return controls_.write && due(*controls_.write);
+}
+
 bool Time::beforeEnd() const
 {
     return state_.value < controls_.endTime - tolerance * state_.deltaT;
@@ -131,7 +136,7 @@ bool Time::running() const
         case StopAt::endTime: break;
         case StopAt::noWriteNow: return false;
         case StopAt::writeNow: return state_.index <= stopIndex_ && beforeEnd();
-        case StopAt::nextWrite: return !(state_.index > stopIndex_ && due(controls_.write)) && beforeEnd();
+        case StopAt::nextWrite: return !(state_.index > stopIndex_ && intervalIsOver()) && beforeEnd();
     }
     return beforeEnd();
 }
@@ -150,8 +155,8 @@ void Time::advance()
 
 bool Time::writeDue() const
 {
-    if (state_.index == start_.index) return false;
-    return due(controls_.write) || (!running() && controls_.stopAt != StopAt::noWriteNow);
+    if (state_.index == start_.index || !controls_.write) return false;
+    return intervalIsOver() || (!running() && controls_.stopAt != StopAt::noWriteNow);
 }
 
 bool Time::reportDue() const

@@ -1,5 +1,9 @@
 #include "geometry/liquidBodies/FilledBody.H"
 
+#include "geometry/VectorField.H"
+
+#include <algorithm>
+
 namespace shizuku
 {
 
@@ -17,6 +21,42 @@ FilledBody readBody(const Dictionary& dict, const std::string& name, const std::
     body.carve = dict.lookupChoiceOr("overlaps", {"refuse", "carve"}, "refuse") == "carve";
     body.positions = fillLattice(*body.shape, spacing, dict.where());
     return body;
+}
+
+// Components of the positions from particle `first` of all bodies on.
+void fillPositions(const std::vector<FilledBody>& bodies, std::size_t first, std::span<double> values)
+{
+    auto body = bodies.begin();
+    for (std::size_t i = 0; i < values.size(); i += 3, ++first)
+    {
+        for (; first >= body->positions.size(); ++body) first -= body->positions.size();
+        const Vector3& x = body->positions[first];
+        values[i] = x.x;
+        values[i + 1] = x.y;
+        values[i + 2] = x.z;
+    }
+}
+
+FieldData velocityField(const std::vector<FilledBody>& bodies)
+{
+    const auto movesAlike = [&](const FilledBody& body)
+    {
+        return body.angularVelocity == Vector3() && body.velocity == bodies.front().velocity;
+    };
+    const bool uniform = std::all_of(bodies.begin(), bodies.end(), movesAlike);
+    std::vector<Vector3> velocities;
+    if (uniform) velocities = {bodies.front().velocity};
+    else
+    {
+        for (const FilledBody& body : bodies)
+        {
+            const std::vector<Vector3> own = body.velocities();
+            velocities.insert(velocities.end(), own.begin(), own.end());
+        }
+    }
+    FieldData field = toField("U", dimensions::velocity, velocities);
+    field.uniform = uniform;
+    return field;
 }
 
 }
@@ -47,6 +87,15 @@ std::vector<FilledBody> readBodies
     }
     fillLiquidDict.refuseUnused();
     return result;
+}
+
+void writeBodies(const std::filesystem::path& folder, const std::vector<FilledBody>& bodies, const WriteFormat& format)
+{
+    std::size_t count = 0;
+    for (const FilledBody& body : bodies) count += body.positions.size();
+    const auto fill = [&](std::size_t first, std::span<double> values) { fillPositions(bodies, first, values); };
+    writeField(folder/"positions", {FieldType::vector, dimensions::length, count, fill}, format);
+    writeField(folder/"U", velocityField(bodies), format);
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "geometry/NearestPoint.H"
 
+#include <algorithm>
 #include <functional>
 
 namespace shizuku
@@ -21,9 +22,10 @@ void keepOut
     const std::function<bool(const Vector3&)>& bad
 )
 {
-    std::vector<Vector3> good, inTheWay;
-    for (const Vector3& x : body.positions) (bad(x) ? inTheWay : good).push_back(x);
-    if (inTheWay.empty()) return;
+    const auto first = std::find_if(body.positions.begin(), body.positions.end(), bad);
+    if (first == body.positions.end()) return;
+    std::vector<Vector3> good(body.positions.begin(), first), inTheWay;
+    for (auto x = first; x != body.positions.end(); ++x) (bad(*x) ? inTheWay : good).push_back(*x);
     const std::string count = std::to_string(inTheWay.size());
     if (!body.carve || good.empty())
     {

@@ -184,6 +184,16 @@ TEST(Time, WritesTheEndThatIsNoMultiple)
     EXPECT_EQ(Case("endTime 0.25; deltaT 0.1; writeInterval 100;").run(), Names{"0.3"});
 }
 
+TEST(Time, WritesNothingWhereThatIsAsked)
+{
+    const Case folder("writeControl none; endTime 1; deltaT 0.1;");
+    EXPECT_EQ(folder.run(), Names());
+    EXPECT_EQ(folder.list(), (Names{"0", "system"}));
+    // An interval may stay; and there is no next write to stop at.
+    EXPECT_EQ(Case("writeControl none; stopAt nextWrite; " + tenSteps).run(), Names());
+    EXPECT_TRUE(holds(Case("writeControl nothing; " + tenSteps).error(), {"nothing", "none", "timeStep"}));
+}
+
 TEST(Time, StopsAsToldByStopAt)
 {
     EXPECT_EQ(Case("stopAt writeNow; " + tenSteps).run(), Names{"0.1"});

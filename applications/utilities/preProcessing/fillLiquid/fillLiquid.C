@@ -4,7 +4,6 @@
 #include "core/fieldFile/AtomicFile.H"
 #include "core/time/Controls.H"
 #include "geometry/LiquidFiles.H"
-#include "geometry/VectorField.H"
 #include "geometry/liquidBodies/LiquidChecks.H"
 
 #include <iostream>
@@ -30,23 +29,6 @@ void report(const FilledBody& body, double spacing)
     for (const std::string& line : body.leftOut) std::cout << "    left out " << line << "\n";
 }
 
-void writeLiquid(const std::filesystem::path& folder, const std::vector<FilledBody>& bodies, const WriteFormat& format)
-{
-    std::vector<Vector3> positions, velocities;
-    for (const FilledBody& body : bodies)
-    {
-        positions.insert(positions.end(), body.positions.begin(), body.positions.end());
-        const std::vector<Vector3> own = body.velocities();
-        velocities.insert(velocities.end(), own.begin(), own.end());
-    }
-    writeFolderAtomically(folder, [&](const std::filesystem::path& partial)
-    {
-        writeField(partial/"positions", toField("positions", dimensions::length, positions), format);
-        writeField(partial/"U", toField("U", dimensions::velocity, velocities), format);
-    });
-    std::cout << "Wrote 0/liquid: " << positions.size() << " particles\n";
-}
-
 void run(const Arguments& args)
 {
     const std::filesystem::path& casePath = args.casePath();
@@ -64,7 +46,13 @@ void run(const Arguments& args)
     }
     keepApart(bodies, spacing);
     for (const FilledBody& body : bodies) report(body, spacing);
-    writeLiquid(casePath/"0"/"liquid", bodies, format);
+    writeFolderAtomically(casePath/"0"/"liquid", [&](const std::filesystem::path& partial)
+    {
+        writeBodies(partial, bodies, format);
+    });
+    std::size_t count = 0;
+    for (const FilledBody& body : bodies) count += body.positions.size();
+    std::cout << "Wrote 0/liquid: " << count << " particles\n";
 }
 
 }
