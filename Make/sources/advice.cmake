@@ -9,6 +9,7 @@ set(SHIZUKU_ADVICE_SOURCES
     advice/rules/AnalyticWall.C
     advice/rules/Formulation.C
     advice/rules/Gravity.C
+    advice/rules/Iterations.C
     advice/rules/Spacing.C
     advice/rules/Tension.C
     advice/rules/TimeStep.C

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace shizuku
 {
@@ -47,24 +48,33 @@ StoredNumber onLogarithms(const Curve& curve, double x) { return between(curve, 
 
 bool inside(const Curve& curve, double x)
 {
-    constexpr double digits = 1e-6;         // of numbers that went through a table
+    constexpr double digits = 0.01;         // of numbers that went through a table, or a spacing of three digits
     return !curve.empty() && x > (1 - digits)*curve.begin()->first && x < (1 + digits)*curve.rbegin()->first;
 }
 
 }
 
-StoredStudies::StoredStudies() : stability_(table("stability.csv")), stepTimes_(table("stepTime.csv"))
+std::vector<StoredStudies::Run> StoredStudies::read(const std::string& name, const std::string& choice)
 {
-    const CsvTable accuracy = table("accuracy.csv"), sets = table("modelSets.csv");
-    for (std::size_t i = 0; i < accuracy.rows(); ++i)
+    const CsvTable csv = table(name);
+    std::vector<Run> runs;
+    for (std::size_t i = 0; i < csv.rows(); ++i)
     {
-        const auto number = [&](const char* column) { return accuracy.number(i, column); };
-        runs_.push_back
+        const auto number = [&](const std::string& column) { return csv.number(i, column); };
+        runs.push_back
         ({
-            accuracy.text(i, "scene"), accuracy.text(i, "modelSet"), number("parameter"), number("particles"),
-            number("capillarySteps"), number("error"), accuracy.text(i, "source")
+            csv.text(i, "scene"), csv.has("modelSet") ? csv.text(i, "modelSet") : "default", number("parameter"),
+            number("particles"), number(choice), number("error"), csv.text(i, "source")
         });
     }
+    return runs;
+}
+
+StoredStudies::StoredStudies()
+: runs_(read("accuracy.csv", "capillarySteps")), iterationRuns_(read("iterations.csv", "iterations")),
+  stability_(table("stability.csv")), stepTimes_(table("stepTime.csv"))
+{
+    const CsvTable sets = table("modelSets.csv");
     for (std::size_t i = 0; i < sets.rows(); ++i)
     {
         sets_.push_back
@@ -75,50 +85,79 @@ StoredStudies::StoredStudies() : stability_(table("stability.csv")), stepTimes_(
     }
 }
 
+namespace
+{
+
+// By particles, at a choice between those that were run.
+template<class Runs>
+Curve errorsByParticles
+(
+    const Runs& runs, const std::string& scene, double parameter, const std::string& modelSet, double choice
+)
+{
+    std::map<double, std::map<double, Curve>> all;
+    for (const auto& run : runs)
+    {
+        if (run.scene != scene || run.modelSet != modelSet) continue;
+        all[run.particles][run.choice].insert({run.parameter, {run.error, run.source}});
+    }
+    Curve byParticles;
+    for (const auto& [n, byChoice] : all)
+    {
+        Curve choices;
+        for (const auto& [each, byParameter] : byChoice) choices.insert({each, onLine(byParameter, parameter)});
+        if (inside(choices, choice)) byParticles.insert({n, onLogarithms(choices, choice)});
+    }
+    return byParticles;
+}
+
+// Of those runs that a scene was run with; ascending.
+template<class Runs, class Value>
+std::vector<double> valuesOf(const Runs& runs, const std::string& scene, const std::string& modelSet, Value value)
+{
+    std::set<double> all;
+    for (const auto& run : runs)
+    {
+        if (run.scene == scene && run.modelSet == modelSet) all.insert(value(run));
+    }
+    return {all.begin(), all.end()};
+}
+
+}
+
 std::optional<StoredNumber> StoredStudies::error
 (
     const std::string& scene, double parameter, const std::string& modelSet, double particles, double capillarySteps
 ) const
 {
-    std::map<double, std::map<double, Curve>> byParticlesAndStep;
-    for (const Run& run : runs_)
-    {
-        if (run.scene != scene || run.modelSet != modelSet) continue;
-        byParticlesAndStep[run.particles][run.capillarySteps].insert({run.parameter, {run.error, run.source}});
-    }
-    Curve byParticles;
-    for (const auto& [n, bySteps] : byParticlesAndStep)
-    {
-        Curve steps;
-        for (const auto& [step, byParameter] : bySteps) steps.insert({step, onLine(byParameter, parameter)});
-        if (inside(steps, capillarySteps)) byParticles.insert({n, onLogarithms(steps, capillarySteps)});
-    }
-    if (byParticles.empty()) return std::nullopt;
-    return onLogarithms(byParticles, particles);
+    const Curve errors = errorsByParticles(runs_, scene, parameter, modelSet, capillarySteps);
+    if (errors.empty()) return std::nullopt;
+    return onLogarithms(errors, particles);
+}
+
+std::optional<StoredNumber> StoredStudies::errorOfIterations
+(
+    const std::string& scene, double parameter, double particles, double iterations
+) const
+{
+    const Curve errors = errorsByParticles(iterationRuns_, scene, parameter, "default", iterations);
+    if (!inside(errors, particles)) return std::nullopt;
+    return onLogarithms(errors, particles);
+}
+
+std::vector<double> StoredStudies::iterations(const std::string& scene) const
+{
+    return valuesOf(iterationRuns_, scene, "default", [](const Run& run) { return run.choice; });
 }
 
 std::vector<double> StoredStudies::particles(const std::string& scene, const std::string& modelSet) const
 {
-    std::map<double, int> all;
-    for (const Run& run : runs_)
-    {
-        if (run.scene == scene && run.modelSet == modelSet) ++all[run.particles];
-    }
-    std::vector<double> result;
-    for (const auto& [n, count] : all) result.push_back(n);
-    return result;
+    return valuesOf(runs_, scene, modelSet, [](const Run& run) { return run.particles; });
 }
 
 std::vector<double> StoredStudies::capillarySteps(const std::string& scene, const std::string& modelSet) const
 {
-    std::map<double, int> all;
-    for (const Run& run : runs_)
-    {
-        if (run.scene == scene && run.modelSet == modelSet) ++all[run.capillarySteps];
-    }
-    std::vector<double> result;
-    for (const auto& [step, count] : all) result.push_back(step);
-    return result;
+    return valuesOf(runs_, scene, modelSet, [](const Run& run) { return run.choice; });
 }
 
 std::optional<StoredNumber> StoredStudies::calmSteps(const std::string& modelSet) const

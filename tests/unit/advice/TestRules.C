@@ -36,6 +36,7 @@ protected:
         scene_.maxCapillaryCo = 0.7;
         scene_.smoothing = 0.2;
         scene_.support = 2;
+        scene_.maxIterations = 8;
         scene_.refillable = true;
         scene_.subStep = 2e-5;
         scene_.limit = "capillary";
@@ -222,6 +223,23 @@ TEST_F(RuleTest, stepThatIsCalmAndWithinTheTolerance)
     EXPECT_EQ(changes(ask("timeStep", 0.5)), "no advice");
 }
 
+TEST_F(RuleTest, iterationsOfADropAtRest)
+{
+    fill(1000);
+    EXPECT_EQ(changes(ask("iterations", 0.031)), "pressure/maxIterations=2");
+    EXPECT_EQ(changes(ask("iterations", 0.029)), "pressure/maxIterations=4");
+    EXPECT_EQ(changes(ask("iterations", 0.019)), "");              // 4 are better than 8: luck
+    fill(2000);                                                     // the volume with 2: between 0.1 and 10 %, 1 %
+    EXPECT_EQ(changes(ask("iterations", 0.031)), "pressure/maxIterations=2");
+    fill(3900);
+    EXPECT_EQ(changes(ask("iterations", 0.031)), "pressure/maxIterations=4");
+    fill(5000);
+    EXPECT_TRUE(holds(ask("iterations", 0.031)->reason, {"no stored study tells of drops of 5000 particles"}));
+    fill(1000, 1);
+    ASSERT_GT(1000*diameter()/0.07, 0.1);
+    EXPECT_EQ(changes(ask("iterations", 0.031)), "no advice");
+}
+
 TEST_F(RuleTest, laterRulesSeeWhatEarlierOnesChanged)
 {
     // Coarse first; then the step has nothing left of the tolerance.
@@ -230,10 +248,12 @@ TEST_F(RuleTest, laterRulesSeeWhatEarlierOnesChanged)
     {
         if (!advice.changes.empty()) text += advice.rule + " ";
     }
-    EXPECT_EQ(text, "");                     // 5 % with 2000 particles is what is asked
+    EXPECT_EQ(text, "iterations ");          // 5 % with 2000 particles is what is asked
     scene_.tolerance = 0.1;
+    scene_.maxIterations = 8;
+    text = "";
     for (const Advice& advice : adviseOn(scene_)) text += advice.changes.empty() ? "" : advice.rule + " ";
-    EXPECT_EQ(text, "spacing ");
+    EXPECT_EQ(text, "spacing iterations ");
     EXPECT_NEAR(scene_.particles(scene_.bodies[0]), 1000, 30);             // the spacing's three digits
 }
 
