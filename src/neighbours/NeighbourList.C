@@ -58,7 +58,7 @@ struct LongestOfGroup
             const int i = group * device::interleave + k;
             if (i < count.size && count[i] > longest) longest = count[i];
         }
-        length[group] = longest * device::interleave;
+        length[group] = longest;
     }
 };
 
@@ -66,17 +66,17 @@ struct StoreNeighbours
 {
     Search search;
     Span<const std::uint32_t> start;
-    Span<std::uint32_t> index;
+    Span<NeighbourRow> rows;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         constexpr int s = device::interleave;
-        int free = int(start[i / s]) + i % s;
+        NeighbourRow* free = rows.data + start[i / s];
         search.forEachTurn(i, team, [&](int j, bool isNear)
         {
             const Team::Place place = team.place(isNear);
-            if (isNear) index[free + s * place.before] = std::uint32_t(j);
-            free += s * place.all;
+            if (isNear) free[place.before].of[i % s] = std::uint32_t(j);
+            free += place.all;
         });
     }
 };
@@ -91,9 +91,8 @@ void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, 
     groupLength_.resizeDiscarding(groups);
     forEachTeam(n, CountNeighbours{search, count_.span()});
     forEach(groups, LongestOfGroup{count_.span(), groupLength_.span()});
-    entries_ = exclusiveScan(groupLength_, start_, "neighbours");
-    index_.resizeDiscarding(int(entries_));
-    forEachTeam(n, StoreNeighbours{search, start_.span(), index_.span()});
+    rows_.resizeDiscarding(int(exclusiveScan(groupLength_, start_, "rows of neighbours")));
+    forEachTeam(n, StoreNeighbours{search, start_.span(), rows_.span()});
 }
 
 }

@@ -126,3 +126,23 @@ TEST(ParticleFiles, WriteTheMomentThatWasCopied)
     expect("2", 40000, 2);
     expect("4", 5, 4);
 }
+
+TEST(ParticleFiles, AUniformFieldIsTheValueOfEachParticle)
+{
+    constexpr int n = 40000;                        // more than are read in one go
+    LiquidCase drop;
+    const auto folder = drop.folder.path() / "0/liquid";
+    FieldData positions{.name = "positions", .type = FieldType::vector, .dimensions = dimensions::length, .values = {}};
+    for (int i = 0; i < 3 * n; ++i) positions.values.push_back(i * drop.liquid.units().length);
+    const double unit = drop.liquid.units().of(dimensions::velocity);
+    writeField(folder / "positions", positions, {.binary = true});
+    writeField(folder / "U", {"U", FieldType::vector, dimensions::velocity, true, {0, 2 * unit, -unit}}, {.precision = 17});
+    drop.liquid.read(drop.folder.path() / "0");
+    const auto velocities = drop.liquid.velocity.download(), places = drop.liquid.position.download();
+    for (int i = 0; i < n; ++i)
+    {
+        ASSERT_EQ(places[i].z, float(3 * i + 2)) << i;
+        ASSERT_EQ(velocities[i].y, 2) << i;
+        ASSERT_EQ(velocities[i].z, -1) << i;
+    }
+}
