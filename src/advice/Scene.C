@@ -34,7 +34,8 @@ std::vector<Vector3> cornersOf(const SampledWall& wall)
 {
     const std::string kind = wall.file.extension().string();
     if ((kind != ".stl" && kind != ".obj") || !fs::exists(wall.file)) return {};
-    std::vector<Vector3> corners = (kind == ".stl" ? readStl(wall.file, wall.name) : readObj(wall.file, wall.name)).mesh.vertices;
+    const PatchedSurface surface = kind == ".stl" ? readStl(wall.file, wall.name) : readObj(wall.file, wall.name);
+    std::vector<Vector3> corners = surface.mesh.vertices;
     for (Vector3& corner : corners) corner *= wall.scale;
     return corners;
 }
@@ -147,7 +148,8 @@ Scene Scene::read(const fs::path& path, const fs::path& filled, const StoredStud
     scene.gravity = caseGravity(path);
     if (fs::exists(path/"constant/g"))
     {
-        scene.availableGravity = Dictionary::read(path/"constant/g").lookupDimensionedVector("value", dimensions::acceleration);
+        scene.availableGravity =
+            Dictionary::read(path/"constant/g").lookupDimensionedVector("value", dimensions::acceleration);
     }
     scene.maxCapillaryCo = time.controlDict().lookupOr("maxCapillaryCo", 0.3);
     scene.smoothing = models.subDictOrEmpty("XSPHCoeffs").lookupOr("c", 0.05);
@@ -156,8 +158,9 @@ Scene Scene::read(const fs::path& path, const fs::path& filled, const StoredStud
     scene.refillable = fs::exists(path/"system/fillLiquidDict");
 
     const std::vector<Vector3> positions = readLiquidPositions(time.path());
-    const auto velocities =
-        toVectors(readField(time.path()/"liquid/U", FieldType::vector, dimensions::velocity, long(positions.size())), positions.size());
+    const FieldData U =
+        readField(time.path()/"liquid/U", FieldType::vector, dimensions::velocity, long(positions.size()));
+    const std::vector<Vector3> velocities = toVectors(U, positions.size());
     const std::vector<SeparateBody> bodies = separateBodies(positions, velocities, scene.spacing);
 
     const std::vector<AnalyticSurface> analytic = readAnalyticSurfaces(Dictionary::read(path/"constant/walls"));

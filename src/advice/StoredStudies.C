@@ -19,8 +19,11 @@ using Curve = std::map<double, StoredNumber>;
 CsvTable table(const std::string& name)
 {
     const auto file = findEtcFile("advice/" + name);
-    if (!file) throw FatalInputError({"etc/advice/" + name, 0}, "The table of stored studies is not there", "etc/advice/makeData makes it");
-    return CsvTable::read(*file);
+    if (file) return CsvTable::read(*file);
+    throw FatalInputError
+    (
+        {"etc/advice/" + name, 0}, "The table of stored studies is not there", "etc/advice/makeData makes it"
+    );
 }
 
 std::string joined(const std::string& a, const std::string& b) { return a == b ? a : a + " and " + b; }
@@ -164,7 +167,8 @@ std::optional<StoredNumber> StoredStudies::calmSteps(const std::string& modelSet
 {
     for (std::size_t i = 0; i < stability_.rows(); ++i)
     {
-        if (stability_.text(i, "modelSet") == modelSet) return StoredNumber{stability_.number(i, "calmSteps"), stability_.text(i, "source")};
+        if (stability_.text(i, "modelSet") != modelSet) continue;
+        return StoredNumber{stability_.number(i, "calmSteps"), stability_.text(i, "source")};
     }
     return std::nullopt;
 }
@@ -175,7 +179,10 @@ std::optional<ModelSet> StoredStudies::modelSet
 ) const
 {
     const auto fits = [](const std::string& asked, const std::string& has) { return asked == has || asked == "none"; };
-    const auto exact = [&](const ModelSet& set) { return (set.surfaceTension == surfaceTension) + (set.wetting == wetting); };
+    const auto exact = [&](const ModelSet& set)
+    {
+        return (set.surfaceTension == surfaceTension) + (set.wetting == wetting);
+    };
     std::optional<ModelSet> best;
     for (const ModelSet& set : sets_)
     {

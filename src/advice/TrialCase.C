@@ -83,7 +83,10 @@ void TrialCase::refill() const
     const fs::path dict = path_/"system/fillLiquidDict";
     if (!fs::exists(dict))
     {
-        throw FatalInputError({case_.string(), 0}, "The case has no liquid", "0/liquid, or a system/fillLiquidDict that makes it");
+        throw FatalInputError
+        (
+            {case_.string(), 0}, "The case has no liquid", "0/liquid, or a system/fillLiquidDict that makes it"
+        );
     }
     for (const TimeFolder& time : timeFolders(path_)) fs::remove(path_/time.name);
     fs::create_directories(path_/"0/liquid");

@@ -16,7 +16,8 @@ class AnalyticWall : public AdviceRule
 public:
     std::optional<Advice> advise(Scene& scene) const override
     {
-        if (scene.models.at("surfaceTension") != "continuumSurfaceForce") return std::nullopt;      // what the rung was run with
+        // What the rung was run with.
+        if (scene.models.at("surfaceTension") != "continuumSurfaceForce") return std::nullopt;
         for (SceneWall& wall : scene.walls)
         {
             if (wall.type != "particles") continue;
@@ -36,9 +37,10 @@ public:
             advice.verdict = "take a plane for '" + wall.name + "'";
             advice.reason += "; the liquid must not run over its edge, which a plane does not have";
             wall.type = "plane";
+            const std::string point = str(wall.plane->point), normal = str(wall.plane->normal);
             advice.changes =
             {
-                {"constant/walls", wall.name, "{ type plane; point " + str(wall.plane->point) + "; normal " + str(wall.plane->normal) + "; }"}
+                {"constant/walls", wall.name, "{ type plane; point " + point + "; normal " + normal + "; }"}
             };
             return advice;
         }

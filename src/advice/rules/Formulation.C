@@ -20,7 +20,8 @@ public:
         const auto own = scene.modelSet();
         const SceneAnswer answer = scene.answer();
         const auto standard = scene.studies->modelSet("completedPbf", "continuumSurfaceForce", "extendedSurface");
-        if (!scene.hasTension() || answer.scene.empty() || !standard || (own && own->name == standard->name)) return std::nullopt;
+        if (!scene.hasTension() || answer.scene.empty() || !standard) return std::nullopt;
+        if (own && own->name == standard->name) return std::nullopt;
         const auto error = [&](const ModelSet& set)
         {
             return scene.studies->error
@@ -38,7 +39,11 @@ public:
         };
         if (present && present->value <= best->value) return advice;
         advice.verdict = "take the default's models";
-        for (const auto& [kind, model] : {std::pair{"pressure", standard->pressure}, {"surfaceTension", standard->surfaceTension}, {"wetting", standard->wetting}})
+        const std::vector<std::pair<std::string, std::string>> models
+        {
+            {"pressure", standard->pressure}, {"surfaceTension", standard->surfaceTension}, {"wetting", standard->wetting}
+        };
+        for (const auto& [kind, model] : models)
         {
             if (scene.models[kind] == model || scene.models[kind] == "none") continue;
             advice.changes.push_back({"constant/models", kind, model});

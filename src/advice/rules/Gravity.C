@@ -1,8 +1,9 @@
 // Does the answer need gravity?
 //
-// Of a body that stands on a level plane: the change of its height against the spherical cap of the same volume and contact
-// angle, by the exact profile of Bashforth and Adams (1883; src/reference/BashforthAdams.H). Of a free body: how far it falls
-// in the time of the run over its diameter, g t^2/(2 D). Bodies that have to fall first, or stand on anything else, need it.
+// Of a body that stands on a level plane: the change of its height against the spherical cap of the same volume and
+// contact angle, by the exact profile of Bashforth and Adams (1883; src/reference/BashforthAdams.H). Of a free body: how far
+// it falls in the time of the run over its diameter, g t^2/(2 D). Bodies that have to fall first, or stand on anything else,
+// need it.
 
 #include "advice/Rule.H"
 #include "reference/BashforthAdams.H"
@@ -63,8 +64,14 @@ private:
             const double fall = 0.5*g*scene.duration*scene.duration/D;
             return {fall, "a free body falls g t^2/2 = " + number(fall) + " diameters in the time of the run"};
         }
-        if (!std::isfinite(body.gap)) return {infinite, "how far a body is from the wall shows only when it is sampled (sampleSurface)"};
-        if (body.gap > scene.spacing) return {infinite, "a body is let go " + number(body.gap/D) + " diameters above the wall"};
+        if (!std::isfinite(body.gap))
+        {
+            return {infinite, "how far a body is from the wall shows only when it is sampled (sampleSurface)"};
+        }
+        if (body.gap > scene.spacing)
+        {
+            return {infinite, "a body is let go " + number(body.gap/D) + " diameters above the wall"};
+        }
         if (!scene.hasTension()) return {infinite, "nothing but weight drives the liquid"};
         const SceneWall& wall = scene.walls.front();
         const bool stands = scene.walls.size() == 1 && wall.plane && wall.theta && *wall.theta > smallest &&

@@ -1,7 +1,8 @@
 // How many pressure iterations a sub-step does a drop at rest need?
 //
-// pressure/maxIterations: the fewest from which on the stored study (doc/studies/iterations-runs.csv, sessile drops) has the angle
-// and the volume within the tolerance. Of liquid that moves fast nothing is stored: it is left as it is, from We = 0.1 on.
+// pressure/maxIterations: the fewest from which on the stored study (doc/studies/iterations-runs.csv, sessile drops) has
+// the angle and the volume within the tolerance. Of liquid that moves fast nothing is stored: from We = 0.1 on it is left as
+// it is.
 
 #include "advice/Rule.H"
 
@@ -28,7 +29,8 @@ public:
         {
             return flowNumbers(scene.scales(body)).weber > fastest;
         });
-        if (scene.maxIterations == 0 || !set || set->name != "default" || answer.scene != "sessile" || fast) return std::nullopt;
+        const bool studied = set && set->name == "default" && answer.scene == "sessile" && !fast;
+        if (scene.maxIterations == 0 || !studied) return std::nullopt;
 
         const double n = scene.particles(scene.smallest());
         std::vector<double> tried = scene.studies->iterations(answer.scene);
@@ -43,7 +45,14 @@ public:
             ofAnswer = angle;
             ofVolume = volume;
         }
-        if (best == 0) return Advice{"keep", "no stored study tells of drops of " + wholeNumber(n) + " particles within the tolerance", "doc/studies/iterations-runs.csv"};
+        if (best == 0)
+        {
+            return Advice
+            {
+                "keep", "no stored study tells of drops of " + wholeNumber(n) + " particles within the tolerance",
+                "doc/studies/iterations-runs.csv"
+            };
+        }
         Advice advice
         {
             "keep", "with at most " + wholeNumber(best) + " iterations: error " + percent(ofAnswer->value) + ", volume lost " +

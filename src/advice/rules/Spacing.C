@@ -29,7 +29,8 @@ public:
     {
         const auto set = scene.modelSet();
         const SceneAnswer answer = scene.answer();
-        const std::vector<double> tried = set ? scene.studies->particles(answer.scene, set->name) : std::vector<double>();
+        std::vector<double> tried;
+        if (set) tried = scene.studies->particles(answer.scene, set->name);
         if (tried.empty()) return Advice{"keep", "no stored study tells: " + answer.text, "etc/advice"};
         const auto error = [&](double n)
         {
@@ -41,7 +42,10 @@ public:
 
         double fewest = tried.back();
         const bool reached = error(fewest)->value <= scene.tolerance;
-        while (reached && fewest/finer >= tried.front() && error(fewest/finer)->value <= scene.tolerance) fewest /= finer;
+        while (reached && fewest/finer >= tried.front() && error(fewest/finer)->value <= scene.tolerance)
+        {
+            fewest /= finer;
+        }
         Advice advice
         {
             "keep", "error of the " + answer.text + " with " + wholeNumber(now) + " particles: " + percent(present->value) +
@@ -54,10 +58,11 @@ public:
         if (std::abs(advised/scene.spacing - 1) < worthwhile) return advice;
         if (!scene.refillable)
         {
-            advice.verdict = "a spacing of " + number(advised) + " m would do, but there is no system/fillLiquidDict to fill it anew";
+            advice.verdict = "a spacing of " + number(advised) + " m would do, but no system/fillLiquidDict fills it anew";
             return advice;
         }
-        advice.verdict = (advised > scene.spacing ? "coarser: " : "finer: ") + number(scene.spacing) + " to " + number(advised) + " m";
+        advice.verdict = advised > scene.spacing ? "coarser: " : "finer: ";
+        advice.verdict += number(scene.spacing) + " to " + number(advised) + " m";
         advice.changes = {{"system/solution", "spacing", number(advised)}};
         scene.spacing = advised;
         return advice;

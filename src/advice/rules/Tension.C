@@ -5,8 +5,8 @@
 // the pressure of tension, sigma/D, over those of weight and impact, rho g D and rho U^2: the terms of the balance of
 // momentum (de Gennes, Brochard-Wyart and Quere 2004, chapter 2). U is the speed with which a body meets a wall.
 //
-// Liquid that no vessel holds spreads, and tension then stops it at a depth of about the capillary length l (chapter 2.2 there).
-// At v = max(sqrt(g D), U) it would be as shallow as h after the time t of the run:
+// Liquid that no vessel holds spreads, and tension then stops it at a depth of about the capillary length l (chapter 2.2
+// there). At v = max(sqrt(g D), U) it would be as shallow as h after the time t of the run:
 //
 //     effect = (l/h)^2,    h = D^3/(D + v t)^2,    l^2 = sigma/(rho g)
 //
@@ -38,7 +38,8 @@ public:
             const double own = std::max(1/(n.bond + n.weber), spreads);
             if (own <= effect) continue;
             effect = own;
-            numbers = "Bo = " + number(n.bond) + ", We = " + number(n.weber) + ", depth at the end " + number(shallow) + " D";
+            numbers =
+                "Bo = " + number(n.bond) + ", We = " + number(n.weber) + ", depth at the end " + number(shallow) + " D";
         }
         Advice advice
         {

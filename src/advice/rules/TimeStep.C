@@ -1,7 +1,7 @@
 // How long may a sub-step be?
 //
-// maxCapillaryCo, in capillary steps sqrt(rho d^3/(2 pi sigma)): the longest one of the stored studies up to which the answer
-// and the volume stay within the tolerance, and which is calm as a fixed step (doc/studies.md, stepAngle).
+// maxCapillaryCo, in capillary steps sqrt(rho d^3/(2 pi sigma)): the longest one of the stored studies up to which the
+// answer and the volume stay within the tolerance, and which is calm as a fixed step (doc/studies.md, stepAngle).
 
 #include "advice/Rule.H"
 
@@ -25,7 +25,8 @@ public:
         if (!scene.hasTension()) return std::nullopt;
         if (scene.limit != "capillary")
         {
-            return Advice{"keep", "the " + scene.limit + " limit rules the sub-step, not the capillary one", "src/stepping/StepControl.H"};
+            const std::string reason = "the " + scene.limit + " limit rules the sub-step, not the capillary one";
+            return Advice{"keep", reason, "src/stepping/StepControl.H"};
         }
         const auto set = scene.modelSet();
         const SceneAnswer answer = scene.answer();
@@ -33,7 +34,10 @@ public:
         if (!calm || answer.scene.empty()) return Advice{"keep", "no stored study tells: " + answer.text, "etc/advice"};
 
         const double n = scene.particles(scene.smallest());
-        const auto error = [&](double steps) { return scene.studies->error(answer.scene, answer.parameter, set->name, n, steps); };
+        const auto error = [&](double steps)
+        {
+            return scene.studies->error(answer.scene, answer.parameter, set->name, n, steps);
+        };
         const auto volume = [&](double steps) { return scene.studies->error("volume", 0, set->name, n, steps); };
         std::set<double> tried;
         for (const std::string& study : {answer.scene, std::string("volume")})
@@ -53,7 +57,8 @@ public:
         Advice advice
         {
             "keep", "with " + number(best) + " capillary steps: error " + percent(there->value) + ", volume " +
-            percent(volume(best) ? volume(best)->value : 0) + "; calm up to " + number(calm->value), there->source + ", " + calm->source
+            (volume(best) ? percent(volume(best)->value) : "not known") + "; calm up to " + number(calm->value),
+            there->source + ", " + calm->source
         };
         if (std::abs(best/scene.maxCapillaryCo - 1) < 0.05) return advice;
         advice.verdict = "maxCapillaryCo " + number(scene.maxCapillaryCo) + " to " + number(best);

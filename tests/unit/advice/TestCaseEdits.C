@@ -45,7 +45,13 @@ TEST_F(CaseEdits, changeEntriesAndKeepTheRest)
 
 TEST_F(CaseEdits, allOrNothing)
 {
-    const auto change = [&] { changeCase(folder_.path(), {{"constant/models", "viscosity", "none"}, {"system/solution", "spacing", "{ ;"}}, true); };
+    const auto change = [&]
+    {
+        changeCase
+        (
+            folder_.path(), {{"constant/models", "viscosity", "none"}, {"system/solution", "spacing", "{ ;"}}, true
+        );
+    };
     EXPECT_NE(messageOf(change), "no error");
     EXPECT_EQ(folder_.read("constant/models"), "viscosity XSPH;\n");
     EXPECT_EQ(folder_.list("constant"), std::vector<std::string>{"models"});

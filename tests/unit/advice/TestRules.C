@@ -198,7 +198,7 @@ TEST_F(RuleTest, spacingThatTheToleranceAsksFor)
     EXPECT_EQ(changes(ask("spacing", 0.05)), "");                            // as it is
     EXPECT_TRUE(holds(ask("spacing", 0.009)->reason, {"no stored study reaches the tolerance: 1 % with 10000"}));
     scene_.refillable = false;
-    EXPECT_TRUE(holds(ask("spacing", 0.025)->verdict, {"no system/fillLiquidDict"}));
+    EXPECT_TRUE(holds(ask("spacing", 0.025)->verdict, {"no system/fillLiquidDict fills it anew"}));
     EXPECT_EQ(changes(ask("spacing", 0.025)), "");
 }
 

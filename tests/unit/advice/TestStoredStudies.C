@@ -14,7 +14,10 @@ using StoredStudiesTest = FakeStudies;
 
 TEST_F(StoredStudiesTest, errorsLieBetweenRuns)
 {
-    const auto error = [&](double theta, double n, double steps) { return studies_->error("sessile", theta, "default", n, steps)->value; };
+    const auto error = [&](double theta, double n, double steps)
+    {
+        return studies_->error("sessile", theta, "default", n, steps)->value;
+    };
     EXPECT_NEAR(error(60, 1000, 0.7), 0.1, digits);
     EXPECT_NEAR(error(90, 1000, 0.7), 0.075, digits);              // halfway between 60 and 120 degrees
     EXPECT_NEAR(error(60, 2000, 0.7), 0.05, digits);               // on logarithmic axes: error ~ 1/N
@@ -45,7 +48,10 @@ TEST_F(StoredStudiesTest, modelSetsAreFoundByTheirModels)
 
 TEST_F(StoredStudiesTest, timesOfASubStep)
 {
-    const auto seconds = [&](const char* backend, const char* device, double n) { return studies_->stepTime(backend, device, n)->value; };
+    const auto seconds = [&](const char* backend, const char* device, double n)
+    {
+        return studies_->stepTime(backend, device, n)->value;
+    };
     EXPECT_NEAR(seconds("cuda", "A GPU", 10000), 2e-3, digits);            // the middle of both axes
     EXPECT_NEAR(seconds("cuda", "A GPU", 10), 1e-3, digits);
     EXPECT_NEAR(seconds("cuda", "A GPU", 1e6), 4e-2, digits);              // ten times the largest one
@@ -59,7 +65,11 @@ TEST(ShippedStudies, tellOfTheDefault)
 {
     setenv("HOME", "/nonexistent", 1);
     const StoredStudies studies;
-    for (const auto& [scene, parameter] : {std::pair{"sessile", 60.0}, {"gravity", 1.0}, {"oscillation", 0.0}, {"volume", 0.0}, {"analyticWall", 60.0}})
+    const std::vector<std::pair<std::string, double>> scenes
+    {
+        {"sessile", 60}, {"gravity", 1}, {"oscillation", 0}, {"volume", 0}, {"analyticWall", 60}
+    };
+    for (const auto& [scene, parameter] : scenes)
     {
         const auto error = studies.error(scene, parameter, "default", 3000, 0.7);
         ASSERT_TRUE(error) << scene;

@@ -1,11 +1,11 @@
-// ablationTable: runs a case with each of its models switched off or coarsened in turn, and tabulates what that changes of its
-// answer and of its cost.
+// ablationTable: runs a case with each of its models switched off or coarsened in turn, and tabulates what that changes of
+// its answer and of its cost.
 //
 // Of the study, beside what Study.H names: one axis, whose first choice is what the others are compared with, and
 //     answers
 //     {
 //         angle   { table spread; file "contactAngle.csv"; column angle; reference 0; }   // as in ErrorMeasure.H
-//         way     { table drops; ... scale 4e-3; }        // a change is set against the scale; else against the first choice
+//         way     { table drops; ... scale 4e-3; }    // a change is set against the scale; else against the first choice
 //     }
 
 #include "core/arguments/runApplication.H"
@@ -28,8 +28,8 @@ ApplicationInfo info()
     return
     {
         "ablationTable",
-        "Runs the case of a study with each of its models switched off or coarsened in turn, and tabulates the change of its "
-        "answers and of its cost. The same command goes on after an interruption.",
+        "Runs the case of a study with each of its models switched off or coarsened in turn, and tabulates the change of "
+        "its answers and of its cost. The same command goes on after an interruption.",
         studyOptions(),
         {"study"},
         false
@@ -50,13 +50,17 @@ public:
     {
         if (study.axes.size() != 1)
         {
-            throw FatalInputError(study.dict.where("axes"), "An ablation has one axis, this study has " + std::to_string(study.axes.size()));
+            throw FatalInputError
+            (
+                study.dict.where("axes"), "An ablation has one axis, this study has " + std::to_string(study.axes.size())
+            );
         }
         const Dictionary dict = study.dict.subDict("answers");
         for (const std::string& name : dict.keys())
         {
             const Dictionary answer = dict.subDict(name);
-            answers.push_back({name, ErrorMeasure(answer), answer.found("scale") ? answer.lookupPositive("scale", dimensions::none) : unknown});
+            const double scale = answer.found("scale") ? answer.lookupPositive("scale", dimensions::none) : unknown;
+            answers.push_back({name, ErrorMeasure(answer), scale});
         }
         if (answers.empty()) throw FatalInputError(dict.where(), "There is no answer to compare", "angle { table ...; }");
     }
@@ -95,15 +99,16 @@ double numberOf(const RunOutcome& outcome, const std::string& column)
 
 void writeAblation
 (
-    const std::filesystem::path& file, const Study& study, const AblationMeasure& measure, const std::vector<RunOutcome>& outcomes
+    const std::filesystem::path& file, const Study& study, const AblationMeasure& measure,
+    const std::vector<RunOutcome>& outcomes
 )
 {
     CsvFile table
     (
         file,
         {
-            {"case", ""}, {"change", ""}, {"end", ""}, {"answer", ""}, {"value", ""}, {"changeOfAnswer", "%"}, {"particles", ""},
-            {"wallTime", "s/s"}, {"costOfShipped", "%"}
+            {"case", ""}, {"change", ""}, {"end", ""}, {"answer", ""}, {"value", ""}, {"changeOfAnswer", "%"},
+            {"particles", ""}, {"wallTime", "s/s"}, {"costOfShipped", "%"}
         }
     );
     const RunOutcome& first = outcomes.front();

@@ -25,7 +25,8 @@ double readTolerance(const Arguments& args)
     if (tolerance > 0 && tolerance < 1) return tolerance;
     throw FatalInputError
     (
-        {}, "-tolerance is " + args.get("tolerance"), "a relative change of the answer, larger than 0 and smaller than 1: 0.05"
+        {}, "-tolerance is " + args.get("tolerance"),
+        "a relative change of the answer, larger than 0 and smaller than 1: 0.05"
     );
 }
 
@@ -92,7 +93,8 @@ void report(const std::string& what, const Prediction& p)
     const RunForecast& run = p.forecast.run;
     std::cout << "    " << what << "\n"
               << "        particles     " << p.forecast.particles << ", of solids " << p.forecast.solidParticles << "\n"
-              << "        sub-steps     " << run.subSteps << " of " << run.subStep.dt << " s, limited by " << run.subStep.limit << "\n"
+              << "        sub-steps     " << run.subSteps << " of " << run.subStep.dt << " s, limited by "
+              << run.subStep.limit << "\n"
               << "        memory        " << run.bytes/1048576.0 << " MiB of the device\n"
               << "        time          ";
     if (p.secondsPerSubStep)
@@ -108,10 +110,12 @@ void report(const std::string& what, const Prediction& p)
 // What has to be run again.
 void reportApplied(const std::vector<std::filesystem::path>& written, const std::vector<CaseChange>& changes, bool solid)
 {
-    for (const auto& file : written) std::cout << "Wrote " << file.string() << "; as it was: " << file.filename().string() << ".old*\n";
-    const bool refill = std::any_of(changes.begin(), changes.end(), [](const CaseChange& c) { return c.entry == "spacing"; });
-    const bool walls = std::any_of(changes.begin(), changes.end(), [](const CaseChange& c) { return c.file == "constant/walls"; });
-    if (refill || walls)
+    for (const auto& file : written)
+    {
+        std::cout << "Wrote " << file.string() << "; as it was: " << file.filename().string() << ".old*\n";
+    }
+    const auto isGeometry = [](const CaseChange& c) { return c.entry == "spacing" || c.file == "constant/walls"; };
+    if (std::any_of(changes.begin(), changes.end(), isGeometry))
     {
         std::cout << "Run ./Allclean, if there are results, and then " << (solid ? "sampleSurface, sampleTheta and " : "")
                   << "fillLiquid again\n";
@@ -133,7 +137,10 @@ void adviseCase(const Arguments& args)
     scene.subStep = present.run.subStep.dt;
     scene.limit = present.run.subStep.limit;
     reportScene(scene, present);
-    if (trial.withoutSolid()) std::cout << "The walls are not sampled: what follows of memory and time is without their particles\n";
+    if (trial.withoutSolid())
+    {
+        std::cout << "The walls are not sampled: what follows of memory and time is without their particles\n";
+    }
 
     const Prediction asItIs = predict(present, scene, device, measure);
     const std::vector<Advice> advices = adviseOn(scene);
@@ -152,7 +159,8 @@ void adviseCase(const Arguments& args)
     report("as advised", predict(forecastCase(advised.path(), measure ? measuring : 0), scene, device, measure));
     std::cout << std::endl;
     if (!args.found("apply")) return;
-    const bool solid = std::any_of(scene.walls.begin(), scene.walls.end(), [](const SceneWall& w) { return w.type == "particles"; });
+    const auto isSampled = [](const SceneWall& wall) { return wall.type == "particles"; };
+    const bool solid = std::any_of(scene.walls.begin(), scene.walls.end(), isSampled);
     reportApplied(changeCase(args.casePath(), changes, true), changes, solid);
 }
 
