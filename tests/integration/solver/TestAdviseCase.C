@@ -54,6 +54,15 @@ TEST_P(AdviseCase, sessileDropAsItIsShipped)
     EXPECT_EQ(outcome.text.find("bodyForce"), std::string::npos) << outcome.text;
 }
 
+// Its function object asks for the wall, which is not sampled yet.
+TEST_P(AdviseCase, wallsThatAreNotSampledAreNotMissed)
+{
+    copyTutorial("liveAngle");
+    const Outcome outcome = advise();
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"The walls are not sampled", "take a plane for 'floor'", "contact angle of 90 degrees"}));
+}
+
 TEST_P(AdviseCase, appliedAdviceRuns)
 {
     copyTutorial("sessileDrop");

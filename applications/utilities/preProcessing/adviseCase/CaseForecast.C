@@ -6,8 +6,9 @@
 namespace shizuku
 {
 
-CaseForecast forecastCase(const std::filesystem::path& casePath, double measuredFor)
+CaseForecast forecastCase(const TrialCase& trial, double measuredFor)
 {
+    const std::filesystem::path& casePath = trial.path();
     deviceCounters().peakBytes = deviceCounters().bytes;        // of this case alone
     const Time time(casePath);
     const Dictionary solution = Dictionary::read(casePath / "system/solution");
@@ -15,7 +16,7 @@ CaseForecast forecastCase(const std::filesystem::path& casePath, double measured
     Liquid liquid(LiquidProperties::read(solution, liquidDict), solution.subDictOrEmpty("kernel"));
     Walls walls(casePath, time.value(), liquid);
     Models models(casePath, solution, liquid, walls);
-    FunctionObjects functions(time, liquid.properties().spacing, true);
+    FunctionObjects functions(time, liquid.properties().spacing, !trial.withoutSolid());
     solution.refuseUnused();
     liquidDict.refuseUnused();
     liquid.read(time.path());

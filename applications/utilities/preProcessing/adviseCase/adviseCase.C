@@ -131,7 +131,7 @@ void adviseCase(const Arguments& args)
 
     const StoredStudies studies;
     const TrialCase trial(args.casePath());
-    const CaseForecast present = forecastCase(trial.path(), measure ? measuring : 0);
+    const CaseForecast present = forecastCase(trial, measure ? measuring : 0);
     // The scene has the walls that were left out of the trial.
     Scene scene = Scene::read(args.casePath(), trial.path(), studies, tolerance);
     scene.subStep = present.run.subStep.dt;
@@ -156,7 +156,7 @@ void adviseCase(const Arguments& args)
         return;
     }
     const TrialCase advised(args.casePath(), changes);
-    report("as advised", predict(forecastCase(advised.path(), measure ? measuring : 0), scene, device, measure));
+    report("as advised", predict(forecastCase(advised, measure ? measuring : 0), scene, device, measure));
     std::cout << std::endl;
     if (!args.found("apply")) return;
     const auto isSampled = [](const SceneWall& wall) { return wall.type == "particles"; };
