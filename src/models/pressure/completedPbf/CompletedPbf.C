@@ -6,21 +6,23 @@
 //
 //     C_i  = rho_i/(rho0 E_i) - 1,   rho_i/rho0 = V sum_j W_ij / S + walls,   E_i = 1 - Psi(s_i)
 //     p_i  : increased in each iteration by w C_i / (sum_j |V grad W_ij|^2 + |sum|^2 + epsilon) rho0/dt^2, kept >= -p_s
-//     dx_i = -(dt^2/rho0) [ sum_j V (dp_j - dp_i) grad W_ij + 2 dp_i g_i + 2 dp_i sign(p_i) (G_i - g_i) ]
+//     dx_i = -(dt^2/rho0) [ sum_j V (dp_j - dp_i) grad W_ij + 2 dp_i g_i + 2 o dp_i sign(p_i) (G_i - g_i) ]
 //
 // with Psi(s) the kernel's integral over the half-space beyond distance s, s_i from FreeSurface.H, dp the increase of p.
 // The multiplier is the pressure, p [Pa]: it begins each step at zero and may fall again within the step. It pulls no more
 // than the surface can bear, p_s: what the tension allows, nothing without tension.
 //
-// G_i = sum_j V grad W_ij + grad(walls) of the neighbours as they lie, g_i what a planar surface at depth s_i has. Under
-// pressure the displacement is the usual sum over dp_i + dp_j, which orders the particles. Under suction that sum would
-// let them clump; there the part of their disorder, G_i - g_i, goes on ordering.
+// G_i = sum_j V grad W_ij + grad(walls) of the neighbours as they lie, g_i what a planar surface at depth s_i has. Their
+// difference is the particle's disorder, and its part of the displacement orders the particles, under suction too. With o = 1
+// the displacement under pressure is the usual sum over dp_i + dp_j; o = 2, because with 1 a calm drop of many particles
+// feeds its own swinging (doc/theory/completedPbf.md). What this leaves as a whole is taken off free liquid.
 //
 //     pressure    completedPbf;           // in constant/models
 //
 // Its controls stand in system/solution: shared/PressureControls.H. Trials: doc/theory/completedPbf.md.
 
 #include "freeSurface/FreeSurface.H"
+#include "models/forces/Resultant.H"
 #include "models/pressure/Pressure.H"
 #include "models/pressure/shared/AverageCompression.H"
 #include "models/pressure/shared/ConstraintSums.H"
@@ -32,6 +34,8 @@ namespace shizuku
 
 namespace
 {
+
+constexpr float ordering = 2;               // o
 
 template<class Kernel>
 struct RaisePressure
@@ -76,17 +80,16 @@ struct Displace
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 xi = x[i];
-        const float own = increase[i], sign = pressure[i] < 0 ? -1 : 1;
+        const float own = increase[i], disorder = 2 * own * (pressure[i] < 0 ? -ordering : ordering);
         Vec3 step;
         near.forEach(i, [&](int j)
         {
             const Vec3 r = xi - x[j];
-            step += (increase[j] + (2 * sign - 1) * own) * W.g(norm(r)) * r;
+            step += (increase[j] - own + disorder) * W.g(norm(r)) * r;
         }, team);
         step = volume * team.sum(step);
         if (!team.first()) return;
-        step += 2 * sign * own * walls(i, xi, surface.contact[i]).gradient;
-        if (sign < 0) step += 4 * own * planarGradient(i);
+        step += disorder * walls(i, xi, surface.contact[i]).gradient + (2 * own - disorder) * planarGradient(i);
         corrected[i] = xi - step;
     }
 
@@ -96,6 +99,13 @@ private:
         const Vec3 G = surface.gradient[i];
         return plane(surface.depth[i]).gradient / fmaxf(norm(G), 1e-20f) * G;
     }
+};
+
+struct Change
+{
+    Span<const Vec3> x, corrected;
+
+    HOST_DEVICE Vec3 operator()(int i) const { return corrected[i] - x[i]; }
 };
 
 class CompletedPbf : public Pressure
@@ -163,6 +173,7 @@ public:
             },
             liquid.kernel()
         );
+        resultant_.remove(liquid.owned(), walls, Change{liquid.predicted.span(), corrected_.span()}, corrected_);
         liquid.predicted.swap(corrected_);
     }
 
@@ -179,6 +190,7 @@ private:
     std::optional<ExtendedLiquid> extended_;
     Buffer<float> increase_;
     Buffer<Vec3> corrected_;
+    Resultant resultant_;
     AverageCompression compression_;
 };
 

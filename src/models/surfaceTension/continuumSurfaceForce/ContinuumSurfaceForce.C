@@ -27,8 +27,8 @@
 //     surfaceTension  continuumSurfaceForce;
 //     continuumSurfaceForceCoeffs { support 4; }      // of the normals and the curvature, in spacings
 
-#include "device/Reduce.H"
 #include "freeSurface/FreeSurface.H"
+#include "models/forces/Resultant.H"
 #include "models/surfaceTension/SurfaceTension.H"
 
 namespace shizuku
@@ -144,35 +144,11 @@ private:
     }
 };
 
-struct Resultant
-{
-    double x = 0, y = 0, z = 0;
-
-    HOST_DEVICE void add(const Resultant& other)
-    {
-        x += other.x;
-        y += other.y;
-        z += other.z;
-    }
-};
-
 struct AccelerationOf
 {
     Span<const Vec3> acceleration;
 
-    HOST_DEVICE Resultant operator()(int i) const
-    {
-        const Vec3 a = acceleration[i];
-        return {a.x, a.y, a.z};
-    }
-};
-
-struct Shift
-{
-    Vec3 by;
-    Span<Vec3> acceleration;
-
-    HOST_DEVICE void operator()(int i) const { acceleration[i] += by; }
+    HOST_DEVICE Vec3 operator()(int i) const { return acceleration[i]; }
 };
 
 class ContinuumSurfaceForce : public SurfaceTension
@@ -213,18 +189,10 @@ public:
             W, liquid.particleVolume(), sharpest / liquid.spacing(), sigma_, liquid.restDensity(), x, smooth_.span(),
             near.wide(liquid), view, extended_->view(), walls.view(), surface_.lowestPressure(), acceleration.span()
         });
-        if (walls.particles() == 0 && walls.surfaces() == 0) balance(liquid, acceleration);
+        resultant_.remove(liquid.owned(), walls, AccelerationOf{acceleration.span()}, acceleration);
     }
 
 private:
-    void balance(const Liquid& liquid, Buffer<Vec3>& acceleration)
-    {
-        const int n = liquid.owned();
-        const Resultant sum = reduce(n, AccelerationOf{acceleration.span()}, scratch_);
-        const auto mean = [&](double component) { return float(-component / std::max(n, 1)); };
-        forEach(n, Shift{{mean(sum.x), mean(sum.y), mean(sum.z)}, acceleration.span()});
-    }
-
     // The wedge's part in the curvature: of what lies near the surface.
     void tabulate(const Walls& walls)
     {
@@ -245,7 +213,7 @@ private:
     float sigma_;
     std::optional<ExtendedLiquid> extended_;
     Buffer<Vec3> normal_, smooth_;
-    Buffer<Resultant> scratch_;
+    Resultant resultant_;
 };
 
 const SurfaceTensionTable::Add<ContinuumSurfaceForce> registered{"continuumSurfaceForce"};
