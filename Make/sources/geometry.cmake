@@ -22,6 +22,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/TriangleMesh.C
     geometry/UnitVector.C
     geometry/Vector3.C
+    geometry/VolumeOffset.C
     geometry/WallPlane.C
     geometry/WallShape.C
     geometry/WettedSurface.C

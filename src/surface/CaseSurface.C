@@ -15,9 +15,9 @@ Dictionary readSurfaceDict(const std::filesystem::path& casePath)
     return std::filesystem::exists(file) ? Dictionary::read(file) : Dictionary();
 }
 
-std::vector<std::string> formatsOf(const Dictionary& dict)
+SurfaceFileControls fileControlsOf(const Dictionary& dict)
 {
-    return dict.lookupOr("formats", std::vector<std::string>{"ply"});
+    return {dict.lookupOr("formats", std::vector<std::string>{"ply"}), dict.lookupOr("conserveVolume", false)};
 }
 
 }
@@ -26,7 +26,7 @@ SurfaceParameters readSurfaceParameters(const std::filesystem::path& casePath, f
 {
     const Dictionary dict = readSurfaceDict(casePath);
     const double cell = dict.lookupOr("cell", 0.5), support = dict.lookupOr("support", 2.0);
-    formatsOf(dict);            // meshSurface's
+    fileControlsOf(dict);
     dict.refuseUnused();
     if (!(cell >= 0.1 && cell <= 2)) throw FatalInputError(dict.where("cell"), "The cell is out of range", "0.1 to 2 spacings");
     if (!(support >= 1 && support <= 8))
@@ -36,12 +36,12 @@ SurfaceParameters readSurfaceParameters(const std::filesystem::path& casePath, f
     return {spacing, float(cell) * spacing, float(support) * spacing};
 }
 
-std::vector<std::string> readSurfaceFormats(const std::filesystem::path& casePath)
+SurfaceFileControls readSurfaceFileControls(const std::filesystem::path& casePath)
 {
     const Dictionary dict = readSurfaceDict(casePath);
-    const std::vector<std::string> formats = formatsOf(dict);
-    for (const std::string& word : formats) SurfaceFormatTable::New("surface format", word, dict.where("formats"));
-    return formats;
+    SurfaceFileControls controls = fileControlsOf(dict);
+    for (const std::string& word : controls.formats) SurfaceFormatTable::New("surface format", word, dict.where("formats"));
+    return controls;
 }
 
 TriangleMesh toTriangleMesh(const SurfaceMesh& mesh, double unit)

@@ -84,6 +84,22 @@ TEST_P(MeshSurface, writesTheFormatsAskedFor)
     EXPECT_FALSE(exists("0.001/surface/liquid.stl"));
 }
 
+TEST_P(MeshSurface, conservesTheVolumeWhereAsked)
+{
+    write("system/meshSurfaceDict", "conserveVolume yes;");
+    const Outcome outcome = call("meshSurface", "-time 0");
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"against the particles' N d^3), moved by", "spacings to enclose N d^3"}));
+    // Newton's tolerance, and the file's single precision of some thousand vertices.
+    const double block = particles*spacing*spacing*spacing;
+    EXPECT_NEAR(readPly(path()/"0/surface/liquid.ply").volume(), block, 2e-4*block);
+
+    // A particle alone has no surface that could be moved.
+    write("0/liquid/positions", "FoamFile\n{\n    format ascii;\n    class vectorField;\n}\ndimensions [0 1 0 0 0 0 0];\n"
+        "internalField nonuniform List<vector> 1((0 0 0));\n");
+    EXPECT_TRUE(holds(call("meshSurface", "-time 0").text, {"left there: N d^3 is more than half a spacing away"}));
+}
+
 TEST_P(MeshSurface, badInputIsRefused)
 {
     expectMeshRefusal({"Unknown surface format", "'plyy'", "Did you mean 'ply'", "obj", "stl"}, "-formats '(stl plyy)'");

@@ -1,6 +1,7 @@
 #include "geometry/MeshTopology.H"
 #include "geometry/PointsInside.H"
 #include "geometry/TriangleMesh.H"
+#include "geometry/VolumeOffset.H"
 #include "support/CapMesh.H"
 
 #include <gtest/gtest.h>
@@ -47,6 +48,18 @@ TEST(TriangleMesh, IcosphereTendsToTheSphereWithTheSquareOfTheEdge)
     const double coarse = sphere - icosphereMesh(3).volume(), fine = sphere - icosphereMesh(4).volume();
     EXPECT_GT(fine, 0);                         // an inscribed body is smaller
     EXPECT_NEAR(coarse/fine, 4, 0.05);          // second order; the next order is 1 % of it here
+}
+
+// The offset of a sphere by t has the radius 1 + t, less what the icosphere lacks of a sphere, in both alike.
+TEST(VolumeOffset, MovesASphereToAnotherRadius)
+{
+    TriangleMesh mesh = icosphereMesh(4);
+    mesh.normals = mesh.vertices;
+    const double before = mesh.volume(), wanted = 1.1*1.1*1.1*before;
+    EXPECT_NEAR(offsetToVolume(mesh, wanted, 0.2), 0.1, 1e-4);      // its tolerance of the volume, 1e-4, over 3/R
+    EXPECT_NEAR(mesh.volume(), wanted, 1e-4*wanted);
+    EXPECT_TRUE(std::isnan(offsetToVolume(mesh, 2*wanted, 0.2)));   // 0.28 would be needed
+    EXPECT_NEAR(mesh.volume(), wanted, 1e-4*wanted);
 }
 
 TEST(TriangleMesh, FarFromTheOriginNoDigitsAreLost)

@@ -5,10 +5,12 @@
 #include "core/time/Time.H"
 #include "device/Device.H"
 #include "geometry/LiquidFiles.H"
+#include "geometry/VolumeOffset.H"
 #include "geometry/surfaceFormats/SurfaceFormat.H"
 #include "particles/Units.H"
 #include "surface/CaseSurface.H"
 
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -21,11 +23,10 @@ namespace
 
 using Formats = std::vector<std::pair<std::string, std::unique_ptr<SurfaceFormat>>>;
 
-Formats chosenFormats(const Arguments& args)
+Formats chosenFormats(const Arguments& args, const std::vector<std::string>& ofCase)
 {
     Formats formats;
-    const bool asked = args.found("formats");
-    for (const std::string& word : asked ? args.getList("formats") : readSurfaceFormats(args.casePath()))
+    for (const std::string& word : args.found("formats") ? args.getList("formats") : ofCase)
     {
         formats.emplace_back(word, SurfaceFormatTable::New("surface format", word, {}));
     }
@@ -61,6 +62,16 @@ std::string signedPercent(double fraction)
     return text.str();
 }
 
+// Moves the mesh to the volume, no farther than half a spacing, and says what came of it.
+std::string conserved(TriangleMesh& mesh, double volume, double spacing)
+{
+    const double offset = offsetToVolume(mesh, volume, 0.5 * spacing);
+    if (std::isnan(offset)) return "left there: N d^3 is more than half a spacing away";
+    std::ostringstream text;
+    text << "moved by " << std::setprecision(2) << offset / spacing << " spacings to enclose N d^3";
+    return text.str();
+}
+
 void meshSurface(const Arguments& args)
 {
     const DeviceInfo device = openDevice();
@@ -69,19 +80,21 @@ void meshSurface(const Arguments& args)
     const double spacing = readSpacing(args.casePath());
     const Units units = Units::near(spacing, 1, 1);
     LiquidSurface surface(readSurfaceParameters(args.casePath(), units.toScaled(spacing, dimensions::length)));
-    const Formats formats = chosenFormats(args);
+    const SurfaceFileControls controls = readSurfaceFileControls(args.casePath());
+    const Formats formats = chosenFormats(args, controls.formats);
     const auto times = timesWithLiquid(args);
     Progress progress("Meshing");
     std::size_t most = 0;
     for (std::size_t t = 0; t < times.size(); ++t)
     {
         const std::vector<Vector3> positions = readLiquidPositions(times[t].path);
-        const TriangleMesh mesh = toTriangleMesh(surface.extract(scaled(positions, units.length)), units.length);
-        for (const auto& [word, format] : formats) format->write(liquidSurfaceFile(times[t].path, word), mesh);
+        TriangleMesh mesh = toTriangleMesh(surface.extract(scaled(positions, units.length)), units.length);
         const double volume = mesh.volume(), filled = double(positions.size()) * spacing * spacing * spacing;
         std::cout << "Time = " << times[t].name << " s: " << mesh.faces.size() << " triangles, volume " << volume << " m3";
         if (filled > 0) std::cout << " (" << signedPercent(volume / filled - 1) << " against the particles' N d^3)";
+        if (controls.conserveVolume && filled > 0) std::cout << ", " << conserved(mesh, filled, spacing);
         std::cout << std::endl;
+        for (const auto& [word, format] : formats) format->write(liquidSurfaceFile(times[t].path, word), mesh);
         progress.update(double(t + 1) / double(times.size()));
         most = std::max(most, positions.size());
     }
