@@ -34,6 +34,9 @@ public:
     {
         const Vector3 low = body_.low(), high = body_.high();
         Cells cells;
+        const double wholeCells = body_.volume()/(edge_.x*edge_.y*edge_.z);
+        cells.middle.reserve(std::size_t(1.01*wholeCells));
+        cells.inside.reserve(std::size_t(1.01*wholeCells));
         for (double k = std::floor(low.z/edge_.z); k*edge_.z < high.z; ++k)
         for (double j = std::floor(low.y/edge_.y); j*edge_.y < high.y; ++j)
         for (double i = std::floor(low.x/edge_.x); i*edge_.x < high.x; ++i)
