@@ -43,25 +43,22 @@ struct SumColour
 {
     WendlandC2 W;
     float volume;                           // V/S
-    Span<const Vec3> x;
     NeighbourSearch wide;
     Span<float> colour;
     Span<Vec3> gradient;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const Vec3 xi = x[i];
-        float sum = 0;
-        Vec3 G;
-        wide.forEach(i, [&](int j)
+        Team::Float values{};
+        Team::Vector slopes;
+        wide.forEach(i, [&](auto, auto r)
         {
-            const Vec3 r = xi - x[j];
-            const float distance = norm(r);
-            sum += W.W(distance);
-            G += W.g(distance) * r;
+            const auto distance = norm(r);
+            values += W.W(distance);
+            slopes += W.g(distance) * r;
         }, team);
-        sum = team.sum(sum);
-        G = team.sum(G);
+        const float sum = team.sum(values);
+        const Vec3 G = team.sum(slopes);
         if (!team.first()) return;
         colour[i] = volume * (W.W(0) + sum);
         gradient[i] = volume * G;
@@ -264,7 +261,7 @@ void FreeSurface::update(const Liquid& liquid, const Neighbourhood& near, const 
     select(isNear_, particles_);
     forEachTeam(particles_, SumColour
     {
-        *kernel_, liquid.particleVolume() / latticeSum_, x, near.wide(liquid), depth_.span(), gradient_.span()
+        *kernel_, liquid.particleVolume() / latticeSum_, near.wide(liquid), depth_.span(), gradient_.span()
     });
     forEach(particles_, Reconstruct
     {

@@ -2,6 +2,8 @@
 
 #include "device/Algorithms.H"
 
+#include <algorithm>
+
 namespace shizuku
 {
 
@@ -21,27 +23,11 @@ struct Search
     {
         const Vec3 p = points[i];
         const float support2 = support * support;
-        grid.forEachRange(p, support, [&](int first, int end)
+        const int self = sameSet ? i : -1;
+        grid.forEachTurn(p, support, [&](auto j, int end)
         {
-            for (int turn = first; turn < end; turn += team.width)
-            {
-                const int j = turn + team.lane;
-                visit(j, j < end && squared(p - sources[j]) < support2 && !(sameSet && i == j));
-            }
-        });
-    }
-};
-
-struct CountNeighbours
-{
-    Search search;
-    Span<std::uint32_t> count;
-
-    HOST_DEVICE void operator()(int i, Team team) const
-    {
-        int n = 0;
-        search.forEachTurn(i, team, [&](int, bool isNear) { n += team.place(isNear).all; });
-        if (team.first()) count[i] = std::uint32_t(n);
+            visit(j, j < end && squared(p - sources[j]) < support2 && j != self);
+        }, team);
     }
 };
 
@@ -58,7 +44,23 @@ struct LongestOfGroup
             const int i = group * device::interleave + k;
             if (i < count.size && count[i] > longest) longest = count[i];
         }
-        length[group] = longest;
+        constexpr std::uint32_t batch = device::batch;
+        length[group] = (longest + batch - 1) / batch * batch;
+    }
+};
+
+#ifdef __CUDACC__
+
+struct CountNeighbours
+{
+    Search search;
+    Span<std::uint32_t> count;
+
+    HOST_DEVICE void operator()(int i, Team team) const
+    {
+        int n = 0;
+        search.forEachTurn(i, team, [&](int, bool isNear) { n += team.place(isNear).all; });
+        if (team.first()) count[i] = std::uint32_t(n);
     }
 };
 
@@ -81,6 +83,53 @@ struct StoreNeighbours
     }
 };
 
+#else
+
+constexpr int partSize = 64;                // particles
+
+// The lists of a part of the particles, one behind the other as they will be stored: to search once costs less than to copy.
+struct FindNeighbours
+{
+    Search search;
+    Span<std::uint32_t> count;
+    std::vector<std::uint32_t>* parts;
+
+    void operator()(int part) const
+    {
+        std::vector<std::uint32_t>& lists = parts[part];
+        std::size_t free = 0;
+        for (int i = part * partSize; i < std::min((part + 1) * partSize, count.size); ++i)
+        {
+            const std::size_t first = free;
+            search.forEachTurn(i, Team{}, [&](Consecutive j, Ints isNear)
+            {
+                if (lists.size() < free + 2 * device::batch) lists.resize(2 * (free + device::batch));
+                free += j.append(isNear, &lists[free]);
+            });
+            count[i] = std::uint32_t(free - first);
+            for (; (free - first) % device::batch != 0; ++free) lists[free] = lists[free - 1];
+        }
+    }
+};
+
+struct CopyLists
+{
+    const std::vector<std::uint32_t>* parts;
+    Span<const std::uint32_t> start;
+    Span<NeighbourRow> rows;
+
+    void operator()(int part) const
+    {
+        const std::uint32_t first = start[part * partSize], end = start[std::min((part + 1) * partSize, start.size - 1)];
+        std::transform(parts[part].begin(), parts[part].begin() + (end - first), rows.data + first, [](std::uint32_t j)
+        {
+            return NeighbourRow{{j}};
+        });
+    }
+};
+
+#endif
+
 }
 
 void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
@@ -89,10 +138,19 @@ void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, 
     const int groups = (n + device::interleave - 1) / device::interleave;
     count_.resizeDiscarding(n);
     groupLength_.resizeDiscarding(groups);
+#ifdef __CUDACC__
     forEachTeam(n, CountNeighbours{search, count_.span()});
+#else
+    parts_.resize((n + partSize - 1) / partSize);
+    forEach(int(parts_.size()), FindNeighbours{search, count_.span(), parts_.data()});
+#endif
     forEach(groups, LongestOfGroup{count_.span(), groupLength_.span()});
     rows_.resizeDiscarding(int(exclusiveScan(groupLength_, start_, "rows of neighbours")));
+#ifdef __CUDACC__
     forEachTeam(n, StoreNeighbours{search, start_.span(), rows_.span()});
+#else
+    forEach(int(parts_.size()), CopyLists{parts_.data(), start_.span(), rows_.span()});
+#endif
 }
 
 }

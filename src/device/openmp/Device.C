@@ -69,8 +69,11 @@ void forgetMarks() { marks.clear(); }
 void* allocate(std::size_t bytes)
 {
     if (bytes == 0) return nullptr;
-    void* memory = std::aligned_alloc(64, (bytes + 63) / 64 * 64);
+    constexpr std::size_t behind = 128;
+    const std::size_t all = (bytes + behind + 63) / 64 * 64;
+    void* memory = std::aligned_alloc(64, all);
     if (!memory) throw FatalError("Cannot allocate " + std::to_string(bytes >> 20) + " MiB of memory");
+    std::memset(memory, 0, all);            // what is read behind the end counts nothing, but has to be a number
     auto& counters = deviceCounters();
     counters.bytes += bytes;
     counters.peakBytes = std::max(counters.peakBytes, counters.bytes);

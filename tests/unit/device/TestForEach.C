@@ -34,7 +34,8 @@ struct TakeTurns
         Sums own{0, 0, 0};
         for (int k = team.lane; k < end; k += team.width) 
         {
-            own = {own.numbers + float(k), own.squares + float(k * k), fminf(own.least, float(k % 11 - k))};
+            const float less = float(k % 11 - k);
+            own = {own.numbers + float(k), own.squares + float(k * k), less < own.least ? less : own.least};
         }
         own = {team.sum(own.numbers), team.sum(own.squares), team.min(own.least)};
         if (team.first()) 

@@ -81,13 +81,12 @@ struct Displace
     {
         const Vec3 xi = x[i];
         const float own = increase[i], disorder = 2 * own * (pressure[i] < 0 ? -ordering : ordering);
-        Vec3 step;
-        near.forEach(i, [&](int j)
+        Team::Vector sum;
+        near.forEach(i, xi, x, [&](auto j, auto r)
         {
-            const Vec3 r = xi - x[j];
-            step += (increase[j] - own + disorder) * W.g(norm(r)) * r;
+            sum += (increase[j] - own + disorder) * W.g(norm(r)) * r;
         }, team);
-        step = volume * team.sum(step);
+        Vec3 step = volume * team.sum(sum);
         if (!team.first()) return;
         step += disorder * walls(i, xi, surface.contact[i]).gradient + (2 * own - disorder) * planarGradient(i);
         corrected[i] = xi - step;

@@ -47,39 +47,43 @@ struct Normal
     FreeSurfaceView surface;
     float least;
     Span<Vec3> normal, smooth;              // zero away from the surface
+    Span<std::uint8_t> isNear;
 
     HOST_DEVICE void operator()(int i) const
     {
         const Vec3 G = surface.gradient[i];
         const float length = norm(G);
+        isNear[i] = length > least;
         normal[i] = length > least ? -1 / length * G : Vec3{};
         smooth[i] = {};
     }
 };
 
-HOST_DEVICE inline bool isNearSurface(Vec3 normal) { return squared(normal) > 0.25f; }
+HOST_DEVICE inline auto isNearSurface(Vector auto normal) { return squared(normal) > 0.25f; }
 
-HOST_DEVICE inline bool onSameSurface(Vec3 mi, Vec3 mj) { return isNearSurface(mj) && dot(mi, mj) >= 0; }
+HOST_DEVICE inline auto onSameSurface(Vec3 mi, Vector auto mj) { return isNearSurface(mj) && dot(mi, mj) >= 0; }
 
 // Single normals are tilted by a few degrees where the particles stand in layers along a wall; their mean is not.
 struct SmoothNormal
 {
     WendlandC2 W;
-    Span<const Vec3> x, normal;
+    Span<const Vec3> normal;
     NeighbourSearch near;
     FreeSurfaceView surface;
     Span<Vec3> smooth;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const Vec3 xi = x[i], mi = normal[i];
+        const Vec3 mi = normal[i];
         if (!isNearSurface(mi)) return;
-        Vec3 sum;
-        near.forEach(i, [&](int j)
+        Team::Vector sums;
+        near.forEach(i, [&](auto j, auto r)
         {
-            if (onSameSurface(mi, normal[j])) sum -= W.W(norm(xi - x[j])) * surface.gradient[j];
+            const auto same = onSameSurface(mi, normal[j]);
+            if (noneOf(same)) return;
+            sums -= (same ? W.W(norm(r)) : 0) * surface.gradient[j];
         }, team);
-        sum = team.sum(sum) - W.W(0) * surface.gradient[i];
+        const Vec3 sum = team.sum(sums) - W.W(0) * surface.gradient[i];
         if (team.first()) smooth[i] = 1 / norm(sum) * sum;
     }
 };
@@ -109,21 +113,21 @@ private:
     HOST_DEVICE float curvature(int i, Team team) const
     {
         const Vec3 xi = x[i], mi = normal[i];
-        float spread = 0, weight = 0, depth = 0;
-        near.forEach(i, [&](int j)
+        Team::Float spreads{}, weights{}, depths{};
+        near.forEach(i, [&](auto j, auto r)
         {
-            const Vec3 mj = normal[j];
-            if (!onSameSurface(mi, mj)) return;
-            const Vec3 r = xi - x[j], mean = mi + mj;
-            const float slope = -volume * W.g(norm(r)), up = dot(r, mean);
-            const float along = slope * (squared(r) - up * up / squared(mean));
-            spread -= slope * dot(r, mj - mi);
-            weight += along;
-            depth += along * 0.5f * (surface.depth[i] + surface.depth[j]);
+            const auto mj = normal[j];
+            const auto same = onSameSurface(mi, mj);
+            if (noneOf(same)) return;
+            const auto mean = mi + mj;
+            const auto slope = same ? -volume * W.g(norm(r)) : 0;
+            const auto up = dot(r, mean);
+            const auto along = same ? slope * (squared(r) - up * up / squared(mean)) : 0;
+            spreads -= slope * dot(r, mj - mi);
+            weights += along;
+            depths += along * 0.5f * (surface.depth[i] + surface.depth[j]);
         }, team);
-        spread = team.sum(spread);
-        weight = team.sum(weight);
-        depth = team.sum(depth);
+        float spread = team.sum(spreads), weight = team.sum(weights), depth = team.sum(depths);
         const ContactLine line = surface.contact[i];
         walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
         {
@@ -181,13 +185,17 @@ public:
         normal_.resizeDiscarding(liquid.all());
         smooth_.resizeDiscarding(liquid.all());
         const FreeSurfaceView view = surface_.view();
-        const Span<const Vec3> x = liquid.predicted.span();
-        forEach(liquid.owned(), Normal{view, nearSurface * surface_.steepest(), normal_.span(), smooth_.span()});
-        forEachTeam(surface_.particles(), SmoothNormal{W, x, normal_.span(), near.wide(liquid), view, smooth_.span()});
+        isNear_.resizeDiscarding(liquid.all());
+        const NeighbourSearch wide = near.wide(liquid, isNear_.span());
+        forEach(liquid.owned(), Normal
+        {
+            view, nearSurface * surface_.steepest(), normal_.span(), smooth_.span(), isNear_.span()
+        });
+        forEachTeam(surface_.particles(), SmoothNormal{W, normal_.span(), wide, view, smooth_.span()});
         forEachTeam(surface_.particles(), Force
         {
-            W, liquid.particleVolume(), sharpest / liquid.spacing(), sigma_, liquid.restDensity(), x, smooth_.span(),
-            near.wide(liquid), view, extended_->view(), walls.view(), surface_.lowestPressure(), acceleration.span()
+            W, liquid.particleVolume(), sharpest / liquid.spacing(), sigma_, liquid.restDensity(), liquid.predicted.span(),
+            smooth_.span(), wide, view, extended_->view(), walls.view(), surface_.lowestPressure(), acceleration.span()
         });
         resultant_.remove(liquid.owned(), walls, AccelerationOf{acceleration.span()}, acceleration);
     }
@@ -213,6 +221,7 @@ private:
     float sigma_;
     std::optional<ExtendedLiquid> extended_;
     Buffer<Vec3> normal_, smooth_;
+    Buffer<std::uint8_t> isNear_;
     Resultant resultant_;
 };
 

@@ -30,12 +30,12 @@ struct Smooth
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 xi = x[i], ui = velocity[i];
-        Vec3 sum;
-        near.forEach(i, [&](int j) { sum += W.W(norm(xi - x[j])) * (velocity[j] - ui); }, team);
-        sum = volume * team.sum(sum);
+        Team::Vector sum;
+        near.forEach(i, xi, x, [&](auto j, auto r) { sum += W.W(norm(r)) * (velocity[j] - ui); }, team);
+        Vec3 change = volume * team.sum(sum);
         if (!team.first()) return;
-        if (noSlip) sum -= walls.density(i, xi, W) * ui;
-        smoothed[i] = ui + c * sum;
+        if (noSlip) change -= walls.density(i, xi, W) * ui;
+        smoothed[i] = ui + c * change;
     }
 };
 

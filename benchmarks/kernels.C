@@ -1,0 +1,153 @@
+// The kernels that a step on the CPU spends its time in, one at a time, by Google Benchmark: benchmarks/kernels.
+//
+// Liquid in a cube of `edge` particles, a lattice disturbed by a tenth of a spacing, with the default kernel. Times are of
+// all threads that OpenMP has.
+
+#include "device/Algorithms.H"
+#include "models/density/Density.H"
+#include "models/pressure/shared/ConstraintSums.H"
+#include "support/PointSets.H"
+
+#include <benchmark/benchmark.h>
+
+using namespace shizuku;
+
+namespace
+{
+
+class Block
+{
+public:
+    explicit Block(const benchmark::State& state)
+    :
+        liquid
+        (
+            LiquidProperties::read(Dictionary::parse("spacing 1e-3;"), Dictionary::parse("rho 998; nu 1e-6; sigma 0.073;")),
+            Dictionary::parse("type cubicSpline; support 2;")
+        ),
+        near(liquid)
+    {
+        const int edge = int(state.range(0));
+        test::RandomNumbers random(1);
+        for (const Vec3 p : test::latticeBlock(edge, edge, edge, 1))
+        {
+            positions.push_back(liquid.spacing() * (p + random(Vec3{-0.1f, -0.1f, -0.1f}, Vec3{0.1f, 0.1f, 0.1f})));
+        }
+        liquid.resize(int(positions.size()));
+        liquid.position.upload(positions);
+        liquid.predicted.upload(positions);
+        near.update(liquid);
+    }
+
+    const CubicSpline& kernel() const { return std::get<CubicSpline>(liquid.kernel()); }
+
+    // Seconds a particle, shown with the prefix that suits them.
+    void report(benchmark::State& state) const
+    {
+        using benchmark::Counter;
+        state.counters["s/particle"] = Counter(liquid.owned(), Counter::kIsIterationInvariantRate | Counter::kInvert);
+    }
+
+    Liquid liquid;
+    Walls walls;
+    Neighbourhood near;
+    std::vector<Vec3> positions;        // as in the lattice
+};
+
+void densitySum(benchmark::State& state)
+{
+    Block block(state);
+    for (auto _ : state) computeDensity(block.liquid, block.near, block.walls);
+    block.report(state);
+}
+
+// Density and gradients, as the pressure's constraint needs them.
+struct StoreConstraint
+{
+    CubicSpline W;
+    float volume;
+    Span<const Vec3> x;
+    NeighbourView near;
+    Span<float> constraint;
+
+    HOST_DEVICE void operator()(int i, Team team) const
+    {
+        const ConstraintSums sums = constraintSums(W, volume, i, x, near, team);
+        constraint[i] = sums.W / (sums.squares + squared(sums.gradient));
+    }
+};
+
+void gradientSum(benchmark::State& state)
+{
+    Block block(state);
+    const Liquid& liquid = block.liquid;
+    Buffer<float> constraint(liquid.owned());
+    for (auto _ : state)
+    {
+        forEachTeam(liquid.owned(), StoreConstraint
+        {
+            block.kernel(), liquid.particleVolume(), liquid.predicted.span(), block.near.view(), constraint.span()
+        });
+    }
+    block.report(state);
+}
+
+// Over twice the kernel's support, by searching.
+struct StoreWideSum
+{
+    WendlandC2 W;
+    NeighbourSearch wide;
+    Span<float> sum;
+
+    HOST_DEVICE void operator()(int i, Team team) const
+    {
+        Team::Float values{};
+        wide.forEach(i, [&](auto, auto r) { values += W.W(norm(r)); }, team);
+        sum[i] = team.sum(values);
+    }
+};
+
+void wideSum(benchmark::State& state)
+{
+    Block block(state);
+    Liquid& liquid = block.liquid;
+    const WendlandC2 W(2 * liquid.support());
+    block.near.update(liquid, W.h);
+    Buffer<float> sum(liquid.owned());
+    for (auto _ : state) forEachTeam(liquid.owned(), StoreWideSum{W, block.near.wide(liquid), sum.span()});
+    block.report(state);
+}
+
+// Sorts the particles and all their fields into cells, where they are already, and lists their neighbours.
+void neighbourBuild(benchmark::State& state)
+{
+    Block block(state);
+    for (auto _ : state) block.near.update(block.liquid);
+    block.report(state);
+}
+
+// Of cells in the order of the particles' places in the lattice.
+void sort(benchmark::State& state)
+{
+    Block block(state);
+    const CellGridView grid = block.near.grid().view();
+    std::vector<std::uint32_t> cells, numbers(block.positions.size());
+    for (const Vec3 p : block.positions) cells.push_back(grid.key(p));
+    Buffer<std::uint32_t> keys, values(numbers);
+    for (auto _ : state)
+    {
+        keys.upload(cells);
+        sortByKey(keys, values);
+    }
+    block.report(state);
+}
+
+BENCHMARK(densitySum)->Arg(20)->Arg(46);
+BENCHMARK(gradientSum)->Arg(20)->Arg(46);
+BENCHMARK(wideSum)->Arg(20)->Arg(46);
+BENCHMARK(neighbourBuild)->Arg(20)->Arg(46);
+BENCHMARK(sort)->Arg(20)->Arg(46);
+
+}
+
+BENCHMARK_MAIN();
