@@ -23,6 +23,8 @@ option(SHIZUKU_SANITIZE "Build with the address and undefined-behaviour sanitize
 set(SHIZUKU_HOST_FLAGS -Wall -Wextra -Wno-unknown-pragmas -fno-math-errno -fno-trapping-math -ffp-contract=fast)
 if(SHIZUKU_NATIVE)
     list(APPEND SHIZUKU_HOST_FLAGS -march=native)
+else()
+    list(APPEND SHIZUKU_HOST_FLAGS -Wno-psabi)      # eight floats at once where the processor has fewer: nobody else's interface
 endif()
 if(SHIZUKU_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
