@@ -6,16 +6,17 @@
 //
 //     C_i  = rho_i/(rho0 E_i) - 1,   rho_i/rho0 = V sum_j W_ij / S + walls,   E_i = 1 - Psi(s_i)
 //     p_i  : increased in each iteration by w C_i / (sum_j |V grad W_ij|^2 + |sum|^2 + epsilon) rho0/dt^2, kept >= -p_s
-//     dx_i = -(dt^2/rho0) [ sum_j V (dp_j - dp_i) grad W_ij + 2 dp_i g_i + 2 o dp_i sign(p_i) (G_i - g_i) ]
+//     dx_i = -(dt^2/rho0) [ sum_j V (dp_j + dp_i) grad W_ij + 2 dp_i grad(walls) + e_i ]
+//     e_i  = 2 dp_i (o sign(p_i) - 1) (G_i - g_i)
 //
 // with Psi(s) the kernel's integral over the half-space beyond distance s, s_i from FreeSurface.H, dp the increase of p.
 // The multiplier is the pressure, p [Pa]: it begins each step at zero and may fall again within the step. It pulls no more
 // than the surface can bear, p_s: what the tension allows, nothing without tension.
 //
 // G_i = sum_j V grad W_ij + grad(walls) of the neighbours as they lie, g_i what a planar surface at depth s_i has. Their
-// difference is the particle's disorder, and its part of the displacement orders the particles, under suction too. With o = 1
-// the displacement under pressure is the usual sum over dp_i + dp_j; o = 2, because with 1 a calm drop of many particles
-// feeds its own swinging (doc/theory/completedPbf.md). What this leaves as a whole is taken off free liquid.
+// difference is the particle's disorder, and e_i orders the particles: under suction, where the sum alone would let them clump,
+// and twice as strongly (o = 2) under pressure, because with the sum alone a calm drop of many particles feeds its own swinging
+// (doc/theory/completedPbf.md). Ordering is internal: what all e_i of a step move as a whole is taken back at its end.
 //
 //     pressure    completedPbf;           // in constant/models
 //
@@ -49,18 +50,25 @@ struct RaisePressure
     FreeSurfaceView surface;
     HalfSpaceView plane;
     Span<float> density, pressure, increase;
+    Span<Vec3> order;                       // dt^2/rho0 e
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const ConstraintSums sums = constraintSums(W, volume, i, x, near, team);
         if (!team.first()) return;
         const auto wall = walls(i, x[i], surface.contact[i]);
-        density[i] = (densityVolume * sums.W + wall.value) / (1 - plane(surface.depth[i]).density);
+        const HalfSpaceValues gas = plane(surface.depth[i]);
+        const Vec3 gradient = sums.gradient + wall.gradient;
+        density[i] = (densityVolume * sums.W + wall.value) / (1 - gas.density);
 
         const float before = pressure[i];
-        const float step = relaxation * (density[i] - 1) / (sums.squares + squared(sums.gradient + wall.gradient) + epsilon);
+        const float step = relaxation * (density[i] - 1) / (sums.squares + squared(gradient) + epsilon);
         pressure[i] = fmaxf(before + step / perPressure, surface.lowestPressure[i]);
         increase[i] = (pressure[i] - before) * perPressure;
+
+        const Vec3 inward = surface.gradient[i];
+        const Vec3 disorder = gradient - gas.gradient / fmaxf(norm(inward), 1e-20f) * inward;
+        order[i] = 2 * increase[i] * ((pressure[i] < 0 ? -ordering : ordering) - 1) * disorder;
     }
 };
 
@@ -72,39 +80,33 @@ struct Displace
     Span<const Vec3> x;
     NeighbourView near;
     WallCompletion walls;
-    FreeSurfaceView surface;
-    HalfSpaceView plane;
-    Span<const float> pressure, increase;
+    Span<const ContactLine> contact;
+    Span<const float> increase;
+    Span<const Vec3> order;
     Span<Vec3> corrected;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 xi = x[i];
-        const float own = increase[i], disorder = 2 * own * (pressure[i] < 0 ? -ordering : ordering);
+        const float own = increase[i];
         Team::Vector sum;
-        near.forEach(i, xi, x, [&](auto j, auto r)
-        {
-            sum += (increase[j] - own + disorder) * W.g(norm(r)) * r;
-        }, team);
-        Vec3 step = volume * team.sum(sum);
-        if (!team.first()) return;
-        step += disorder * walls(i, xi, surface.contact[i]).gradient + (2 * own - disorder) * planarGradient(i);
-        corrected[i] = xi - step;
-    }
-
-private:
-    HOST_DEVICE Vec3 planarGradient(int i) const
-    {
-        const Vec3 G = surface.gradient[i];
-        return plane(surface.depth[i]).gradient / fmaxf(norm(G), 1e-20f) * G;
+        near.forEach(i, xi, x, [&](auto j, auto r) { sum += (increase[j] + own) * W.g(norm(r)) * r; }, team);
+        const Vec3 step = volume * team.sum(sum);
+        if (team.first()) corrected[i] = xi - step - 2 * own * walls(i, xi, contact[i]).gradient - order[i];
     }
 };
 
-struct Change
+struct Shift
 {
-    Span<const Vec3> x, corrected;
+    Vec3 by;
+    float perStep;
+    Span<Vec3> position, velocity;
 
-    HOST_DEVICE Vec3 operator()(int i) const { return corrected[i] - x[i]; }
+    HOST_DEVICE void operator()(int i) const
+    {
+        position[i] += by;
+        velocity[i] += perStep * by;
+    }
 };
 
 class CompletedPbf : public Pressure
@@ -136,6 +138,7 @@ public:
             extended_.emplace(liquid.kernel(), smallest, largest);
         }
         increase_.resizeDiscarding(liquid.all());
+        order_.resizeDiscarding(liquid.owned());
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -146,7 +149,7 @@ public:
                     W, V, V / liquid.latticeSum(), controls_.relaxation, controls_.epsilon,
                     dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
                     {extended_->view(), W.h, walls.view()}, surface_.view(), {plane_.span(), W.h},
-                    liquid.density.span(), pressure_.span(), increase_.span()
+                    liquid.density.span(), pressure_.span(), increase_.span(), order_.span()
                 });
             },
             liquid.kernel()
@@ -166,14 +169,21 @@ public:
                 forEachTeam(liquid.owned(), Displace<Kernel>
                 {
                     W, liquid.particleVolume(), liquid.predicted.span(), near.view(),
-                    {extended_->view(), W.h, walls.view()}, surface_.view(), {plane_.span(), W.h},
-                    pressure_.span(), increase_.span(), corrected_.span()
+                    {extended_->view(), W.h, walls.view()}, surface_.view().contact, increase_.span(), order_.span(),
+                    corrected_.span()
                 });
             },
             liquid.kernel()
         );
-        resultant_.remove(liquid.owned(), walls, Change{liquid.predicted.span(), corrected_.span()}, corrected_);
+        ordered_.add(liquid.owned(), order_);
         liquid.predicted.swap(corrected_);
+    }
+
+    // The particles have their new positions and velocities.
+    void correctVelocities(Liquid& liquid, const Neighbourhood&, const Walls&) override
+    {
+        const Vec3 mean = ordered_.takeMean(liquid.owned());
+        forEach(liquid.owned(), Shift{mean, 1 / dt_, liquid.position.span(), liquid.velocity.span()});
     }
 
     int iterations() const override { return iterations_; }
@@ -188,8 +198,8 @@ private:
     int iterations_ = 0;
     std::optional<ExtendedLiquid> extended_;
     Buffer<float> increase_;
-    Buffer<Vec3> corrected_;
-    Resultant resultant_;
+    Buffer<Vec3> order_, corrected_;
+    Resultant ordered_;
     AverageCompression compression_;
 };
 

@@ -148,11 +148,12 @@ private:
     }
 };
 
-struct AccelerationOf
+struct Shift
 {
-    Span<const Vec3> acceleration;
+    Vec3 by;
+    Span<Vec3> acceleration;
 
-    HOST_DEVICE Vec3 operator()(int i) const { return acceleration[i]; }
+    HOST_DEVICE void operator()(int i) const { acceleration[i] += by; }
 };
 
 class ContinuumSurfaceForce : public SurfaceTension
@@ -197,7 +198,9 @@ public:
             W, liquid.particleVolume(), sharpest / liquid.spacing(), sigma_, liquid.restDensity(), liquid.predicted.span(),
             smooth_.span(), wide, view, extended_->view(), walls.view(), surface_.lowestPressure(), acceleration.span()
         });
-        resultant_.remove(liquid.owned(), walls, AccelerationOf{acceleration.span()}, acceleration);
+        if (walls.particles() + walls.surfaces() > 0) return;
+        resultant_.add(liquid.owned(), acceleration);
+        forEach(liquid.owned(), Shift{-1 * resultant_.takeMean(liquid.owned()), acceleration.span()});
     }
 
 private:
