@@ -249,6 +249,8 @@ Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liqu
         {
             surfaces_.surface[surfaces_.count++] = face;
             surfaceNames_.push_back(surface.name);
+            if (face.type == WallSurface::plane) held_.hold(face.direction);
+            else held_.holdAll();
         }
     }
     if (surfaces_.count > 0)
@@ -277,6 +279,7 @@ void Walls::readParticles(const Liquid& liquid)
         );
     }
     shizuku::readParticles(solid_, liquid.units(), folder);
+    for (const Vec3& n : normal_->download()) held_.hold(n);
 
     std::vector<std::uint32_t> order(solid_.all());
     std::iota(order.begin(), order.end(), 0u);

@@ -280,6 +280,23 @@ TEST(Walls, RefuseLiquidThatStartsInTheSolid)
     EXPECT_TRUE(holds(messageOf(check), {"constant/walls", "floor", "0.0002"}));
 }
 
+// A plane holds across, two of them leave the line they share, a sphere leaves nothing; the same plane twice is one.
+TEST(Walls, TellInWhichDirectionsTheyHold)
+{
+    const auto freePart = [](const std::string& walls)
+    {
+        const LiquidCase liquid({.walls = walls});
+        return liquid.walls.held().freePart({1, 2, 3});
+    };
+    const auto expect = [](Vec3 found, Vec3 wanted) { EXPECT_LT(norm(found - wanted), 1e-6f); };
+    const std::string floor = "floor { type plane; point (0 0 -1); normal (0 0 1); }\n";
+    expect(freePart(""), {1, 2, 3});
+    expect(freePart(floor), {1, 2, 0});
+    expect(freePart(floor + "lid { type plane; point (0 0 1); normal (0 0 -1); }"), {1, 2, 0});
+    expect(freePart(floor + "side { type plane; point (-1 0 0); normal (1 0 1); }"), {0, 2, 0});
+    expect(freePart("ball { type sphere; centre (0 0 -1); radius 0.1; liquid outside; }"), {0, 0, 0});
+}
+
 TEST(Walls, CountABoxAsSixSurfaces)
 {
     const LiquidCase tank({.walls = "tank { type box; min (0 0 0); max (1 2 3); }"});

@@ -16,7 +16,8 @@
 // G_i = sum_j V grad W_ij + grad(walls) of the neighbours as they lie, g_i what a planar surface at depth s_i has. Their
 // difference is the particle's disorder, and e_i orders the particles: under suction, where the sum alone would let them clump,
 // and twice as strongly (o = 2) under pressure, because with the sum alone a calm drop of many particles feeds its own swinging
-// (doc/theory/completedPbf.md). Ordering is internal: what all e_i of a step move as a whole is taken back at its end.
+// (doc/theory/completedPbf.md). Ordering is internal: what all e_i of a step move as a whole is taken back at its
+// end, in the directions in which no wall holds (walls/HeldDirections.H).
 //
 //     pressure    completedPbf;           // in constant/models
 //
@@ -180,10 +181,10 @@ public:
     }
 
     // The particles have their new positions and velocities.
-    void correctVelocities(Liquid& liquid, const Neighbourhood&, const Walls&) override
+    void correctVelocities(Liquid& liquid, const Neighbourhood&, const Walls& walls) override
     {
-        const Vec3 mean = ordered_.takeMean(liquid.owned());
-        forEach(liquid.owned(), Shift{mean, 1 / dt_, liquid.position.span(), liquid.velocity.span()});
+        const Vec3 back = walls.held().freePart(ordered_.takeMean(liquid.owned()));
+        forEach(liquid.owned(), Shift{back, 1 / dt_, liquid.position.span(), liquid.velocity.span()});
     }
 
     int iterations() const override { return iterations_; }
