@@ -59,6 +59,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
 # Solid particles on surfaces. CGAL.
 set(SHIZUKU_SAMPLING_SOURCES
     geometry/sampling/Bell.C
+    geometry/sampling/CrackClosing.C
     geometry/sampling/EdgeRows.C
     geometry/sampling/LayerQuality.C
     geometry/sampling/LayerRelaxation.C

@@ -1,6 +1,7 @@
 #include "geometry/sampling/SurfaceRepair.H"
 
 #include "core/messages/Error.H"
+#include "geometry/sampling/CrackClosing.H"
 #include "geometry/sampling/ShellUnion.H"
 #include "geometry/sampling/SurfaceMesh.H"
 
@@ -31,6 +32,10 @@ using Face = Mesh::Face_index;
 // Vertices nearer than this part of the surface's extent are one: single precision, as in a binary STL, cannot tell them
 // apart.
 constexpr double mergeTolerance = 1e-7;
+
+// Borders nearer than this part of the widest hole that is closed are the two sides of a crack: a tenth of a spacing, where
+// holes of four spacings are closed.
+constexpr double crackWidth = 0.025;
 
 Vector3 toVector(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -238,6 +243,7 @@ RepairedSurface repairSurface(const PatchedSurface& input, double largestHole, c
     Mesh mesh = orient(soup, report);
     RepairPatches patch = patchesOf(mesh);
     for (const Face face : mesh.faces()) patch[face] = soup.patch[face];
+    if (const std::size_t n = closeCracks(mesh, crackWidth*largestHole)) report.push_back(count(n, "edge", "along cracks joined"));
     closeHoles(mesh, patch, std::min(largestHole, 0.5*extent), report);
     uniteShells(mesh, report);
     result.surface = collect(mesh, patchesOf(mesh), input.patches);

@@ -170,6 +170,20 @@ TEST(SurfaceRepair, smallHolesAreClosedAndLargeBordersLeftOpen)
     EXPECT_FALSE(open.closed);
 }
 
+TEST(SurfaceRepair, cracksAlongAFinerFaceAreJoined)
+{
+    const RepairedSurface repaired = repairSurface(soupOf(crackedBox()), 4, "cracked.stl");
+    ASSERT_EQ(repaired.report.size(), 2u);
+    EXPECT_TRUE(holds(repaired.report[0], {"pieces that touch in a vertex"}));      // top and rest, in four corners
+    EXPECT_EQ(repaired.report[1], "16 edges along cracks joined");                  // twice 5 and 3
+    EXPECT_TRUE(repaired.closed);
+    EXPECT_EQ(repaired.shells, 1u);
+    // Nothing has moved: only rounding.
+    EXPECT_NEAR(repaired.surface.mesh.volume(), 12*9*7, 1e-9*12*9*7);
+    EXPECT_EQ(repaired.surface.patch.size(), repaired.surface.mesh.faces.size());
+    EXPECT_TRUE(repairSurface(repaired.surface, 4, "again.stl").report.empty());
+}
+
 TEST(SurfaceRepair, shellsThatCrossAreUnited)
 {
     const RepairedSurface repaired = repairSurface
