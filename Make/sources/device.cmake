@@ -61,6 +61,7 @@ set(SHIZUKU_DEVICE_SOURCES
     surface/LiquidSurface.C
     surface/CaseSurface.C
     stepping/DryRun.C
+    stepping/StartCheck.C
     stepping/StepControl.C
     stepping/SubStep.C
     functionObjects/FlowView.C

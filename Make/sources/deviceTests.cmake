@@ -44,6 +44,7 @@ set(SHIZUKU_DEVICE_TESTS
     particles/TestFieldRegistry.C
     particles/TestParticleFiles.C
     particles/TestUnits.C
+    stepping/TestStartCheck.C
     surface/TestLiquidSurface.C
     surface/TestMarchingCubesTable.C
     walls/TestHalfSpace.C

@@ -1,12 +1,24 @@
 #include "StepReport.H"
 
 #include "core/arguments/runApplication.H"
+#include "geometry/SeparateBodies.H"
 
 #include <iostream>
 #include <sstream>
 
 namespace shizuku
 {
+
+void warnOfResolution(FlowView& flow)
+{
+    const std::vector<Vector3>& positions = flow.positions();
+    const double spacing = flow.properties().spacing;
+    const std::vector<Vector3> velocities(positions.size());
+    for (const std::string& text : resolutionWarnings(separateBodies(positions, velocities, spacing), spacing))
+    {
+        warning(text, {(flow.time.casePath() / "system/solution").string(), 0});
+    }
+}
 
 void reportStep(const SubSteps& steps, FlowView& flow)
 {

@@ -12,6 +12,7 @@
 #include "motion/SpeedMeter.H"
 #include "particles/ParticleFiles.H"
 #include "stepping/DryRun.H"
+#include "stepping/StartCheck.H"
 #include "stepping/StepControl.H"
 #include "stepping/SubStep.H"
 
@@ -43,9 +44,11 @@ void pbfDroplet(const Arguments& args)
     liquidDict.refuseUnused();
 
     liquid.read(time.path());
+    refuseOverlap(liquid, time.path());
     if (time.index() == 0) walls.refuseLiquidInside(liquid);
     Neighbourhood near(liquid);
     FlowView flow(time, liquid, near, walls, models);
+    if (time.index() == 0) warnOfResolution(flow);
     functions.modelsMade(flow);
     SpeedMeter meter;
     Speeds speeds = meter.measure(liquid);

@@ -91,7 +91,7 @@ TEST_P(CheckCase, separateBodiesAreTold)
     const Outcome outcome = check();
     EXPECT_EQ(outcome.status, 0) << outcome.text;
     EXPECT_TRUE(holds(outcome.text, {"Liquid: 321 particles", "separate bodies 2", "Body 2: 27 particles", "(3 3 3) spacings",
-        "mean velocity (0 0 1) m/s", "*Warning: body 2 is coarse"}));
+        "mean velocity (0 0 1) m/s", "*Warning: body 2 of 2, 27 particles, is coarse"}));
 }
 
 TEST_P(CheckCase, allErrorsAreReportedAtOnce)
@@ -141,6 +141,25 @@ TEST_P(CheckCase, particlesOfAnotherSpacing)
         2,
         {"solid particles are 2 spacings apart", "run sampleSurface", "liquid's particles are 2 spacings apart", "run fillLiquid"}
     );
+}
+
+TEST_P(CheckCase, overlappingLiquid)
+{
+    write("system/solution", "spacing 1.25e-3;\n");
+    expectFailures(1, {"overlapping itself", "0.8 spacings", "0/liquid/positions"});
+}
+
+// 294 particles: (3*294/(4 pi))^(1/3) = 4.12 spacings a radius. The solver says once what checkCase does.
+TEST_P(CheckCase, coarseLiquidIsSaidByTheSolverToo)
+{
+    const std::string text = "body 1 of 1, 294 particles, is coarse, 4.12";
+    EXPECT_TRUE(holds(check().text, {"*Warning: " + text}));
+    const std::string log = solve().text;
+    EXPECT_TRUE(holds(log, {"--> WARNING: " + text, "system/solution"}));
+    EXPECT_EQ(log.find("WARNING"), log.rfind("WARNING")) << log;
+    // On with it: nothing new to say.
+    control("endTime 5e-3;");
+    EXPECT_EQ(solve().text.find("WARNING"), std::string::npos);
 }
 
 TEST_P(CheckCase, utilitiesDictionariesAndSteps)

@@ -230,6 +230,23 @@ TEST_P(Input, liquidInsideASolid)
     expectRefusal({"inside the solid 'floor'", "constant/walls", "half a spacing"});
 }
 
+// A lattice of 0.8 of the spacing that the case has, at the start of a run and at a restart.
+TEST_P(Input, overlappingLiquid)
+{
+    const std::string good = read("system/solution"), crowded = "spacing 1.25e-3;\npressure { maxIterations 6; }\n";
+    const auto refused = [&](std::vector<std::string> parts, const std::string& file)
+    {
+        parts.push_back("file: " + (path()/file).string());
+        expectRefusal(parts);
+    };
+    write("system/solution", crowded);
+    refused({"overlapping itself", "of its 294 particles", "0.8 spacings", "Run fillLiquid", "0.00125 m"}, "0/liquid/positions");
+    write("system/solution", good);
+    ASSERT_EQ(solve().status, 0);
+    write("system/solution", crowded);
+    refused({"overlapping itself"}, "0.004/liquid/positions");
+}
+
 TEST_P(Input, fields)
 {
     const std::string length = "[0 1 0 0 0 0 0]", velocity = "[0 1 -1 0 0 0 0]";

@@ -152,7 +152,7 @@ TEST_P(Steps, aWrongChangeIsLeftOut)
     Process process(command("pbfDroplet", ""), folder_.path()/"log");
     ASSERT_TRUE(process.runUntil([&] { return stepsOf(process.log()).size() > 2; })) << process.log();
     control("endTime 60; writeInterval 1000000; runTimeModifiable yes; maxSubSteps 0;");
-    const auto warned = [&] { return process.log().find("--> WARNING") != std::string::npos; };
+    const auto warned = [&] { return process.log().find("is left out") != std::string::npos; };
     ASSERT_TRUE(process.runUntil(warned)) << process.log();
     EXPECT_TRUE(process.runUntil([&] { return holds(process.log(), {"maxSubSteps is 0", "former values"}); }));
     control("endTime 60; writeInterval 1000000; runTimeModifiable yes; stopAt noWriteNow;");

@@ -68,4 +68,17 @@ TEST(SeparateBodies, haveTheirParticlesBoxAndMotion)
     EXPECT_EQ(bodies[1].low, Vector3(-0.5, -0.5, -0.5));
 }
 
+TEST(SeparateBodies, sayWhatIsResolvedBadly)
+{
+    std::vector<Vector3> positions;
+    for (int i = 0; i < 30*30*2; ++i) positions.push_back({double(i % 30), double(i/30 % 30), i/900 + 100.0});
+    addCube(positions, 9, {0, 0, 0});       // (3*729/(4 pi))^(1/3) = 5.58 spacings a radius: resolved
+    addCube(positions, 3, {50, 0, 0});      // 1.86
+    const std::vector<Vector3> velocities(positions.size());
+    const auto warnings = resolutionWarnings(separateBodies(positions, velocities, 1), 1);
+    ASSERT_EQ(warnings.size(), 2u);
+    EXPECT_NE(warnings[0].find("body 1 of 3, 1800 particles, is thin, 2 spacings"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[1].find("body 3 of 3, 27 particles, is coarse, 1.86"), std::string::npos) << warnings[1];
+}
+
 }

@@ -15,9 +15,7 @@ namespace
 {
 
 constexpr std::size_t mostReported = 10;
-constexpr double coarse = 5;                // spacings a radius
-constexpr double thin = 3;                  // spacings
-constexpr double leastMeanGap = 0.6, mostMeanGap = 1.4;     // spacings; liquid that moves is nearer than its lattice
+constexpr double mostMeanGap = 1.4;         // spacings
 
 std::vector<Vector3> toHost(const Buffer<Vec3>& field, double unit, int count)
 {
@@ -30,31 +28,20 @@ std::vector<Vector3> toHost(const Buffer<Vec3>& field, double unit, int count)
 void checkSpacing(const std::vector<Vector3>& positions, double spacing, Findings& findings)
 {
     const double gap = measureGaps(positions, 3 * spacing).mean / spacing;
-    if (positions.size() < 2 || (gap >= leastMeanGap && gap <= mostMeanGap)) return;
+    if (positions.size() < 2 || gap <= mostMeanGap) return;
     std::ostringstream text;
     text << "The liquid's particles are " << gap << " spacings apart on average, not about 1: they were filled in at "
             "another spacing\n    run fillLiquid again";
     findings.error(text.str());
 }
 
-void report(const SeparateBody& body, std::size_t number, const LiquidProperties& p, double gravity, Findings& findings)
+void report(const SeparateBody& body, std::size_t number, const LiquidProperties& p, double gravity)
 {
     std::cout << "Body " << number << ": " << describe(body, p.spacing);
     const double diameter = body.diameter();
     const std::string numbers =
         describe(FlowScales{diameter, length(body.velocity), gravity, p.density, p.viscosity, p.surfaceTension});
     if (!numbers.empty()) std::cout << "    " << numbers << "\n";
-
-    const std::string name = "body " + std::to_string(number);
-    if (diameter < 2 * coarse * p.spacing)
-    {
-        findings.warn(name + " is coarse, less than 5 spacings a radius: a smaller spacing in system/solution resolves it");
-    }
-    const Vector3 size = body.size();
-    if (std::min({size.x, size.y, size.z}) < thin * p.spacing)
-    {
-        findings.warn(name + " is thin, less than 3 spacings: a film is not resolved");
-    }
 }
 
 }
@@ -68,8 +55,9 @@ void reportLiquid(const Liquid& liquid, double gravity, Findings& findings)
     const std::vector<SeparateBody> bodies = separateBodies(positions, velocities, p.spacing);
     std::cout << "Liquid: " << liquid.owned() << " particles of spacing " << p.spacing << " m, volume "
               << liquid.owned() * p.particleVolume() << " m3, separate bodies " << bodies.size() << "\n";
-    for (std::size_t i = 0; i < std::min(bodies.size(), mostReported); ++i) report(bodies[i], i + 1, p, gravity, findings);
+    for (std::size_t i = 0; i < std::min(bodies.size(), mostReported); ++i) report(bodies[i], i + 1, p, gravity);
     if (bodies.size() > mostReported) std::cout << "and " << bodies.size() - mostReported << " smaller ones\n";
+    for (const std::string& warning : resolutionWarnings(bodies, p.spacing)) findings.warn(warning);
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "functionObjects/FunctionObjects.H"
 #include "geometry/liquidBodies/FilledBody.H"
+#include "stepping/StartCheck.H"
 
 namespace shizuku
 {
@@ -88,6 +89,7 @@ void SolvedCase::readParticles(Findings& findings)
 {
     if (!liquid || !time) return;
     if (!findings.attempt([&] { liquid->read(time->path()); })) return;
+    findings.attempt([&] { refuseOverlap(*liquid, time->path()); });
     if (walls && time->index() == 0) findings.attempt([&] { walls->refuseLiquidInside(*liquid); });
 }
 

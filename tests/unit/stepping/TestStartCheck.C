@@ -1,0 +1,102 @@
+#include "stepping/StartCheck.H"
+
+#include "support/LiquidCase.H"
+#include "support/ReferenceKernels.H"
+
+#include <algorithm>
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+Crowding crowdingOf(const std::vector<Vec3>& points, const std::string& kernel = "type cubicSpline; support 2;")
+{
+    LiquidCase drop({.kernel = kernel});
+    drop.place(points);
+    return measureCrowding(drop.liquid);
+}
+
+}
+
+// Random particles, four to a lattice cell, by all pairs in double precision; sums of a hundred floats.
+TEST(StartCheck, MeasuresByAllPairs)
+{
+    const auto points = randomPoints(500, {-2.5f, -2.5f, -2.5f}, {2.5f, 2.5f, 2.5f});
+    LiquidCase drop;
+    drop.place(points);
+    const Crowding crowding = measureCrowding(drop.liquid);
+
+    const Reference<CubicSpline> W{2};              // lengths in spacings, in which V = 1
+    double latticeSum = 0;
+    for (const Vec3& p : latticeBlock(5, 5, 5, 1, {-2, -2, -2})) latticeSum += W.W(norm(p));
+    double mean = 0, most = 0, nearest = 10;
+    int crowded = 0;
+    std::size_t densest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        double density = 0;
+        for (std::size_t j = 0; j < points.size(); ++j)
+        {
+            const double r = norm(points[i] - points[j]);
+            density += W.W(r) / latticeSum;
+            if (j != i) nearest = std::min(nearest, r);
+        }
+        mean += density / double(points.size());
+        crowded += density > 1.1;
+        if (density > most) densest = i;
+        most = std::max(most, density);
+    }
+    EXPECT_NEAR(crowding.mean, mean, 2e-6 * mean);
+    EXPECT_NEAR(crowding.most, most, 2e-6 * most);
+    EXPECT_NEAR(crowding.nearest, nearest, 1e-5);
+    EXPECT_EQ(crowding.crowded, crowded);
+    EXPECT_EQ(drop.liquid.id.download()[crowding.densest], densest);
+}
+
+// Lattices as fillLiquid makes them, alone and two that touch; with every kernel a full neighbourhood has 1.
+TEST(StartCheck, LetsLatticesAndTouchingBodiesPass)
+{
+    for (const char* kernel : {"type cubicSpline; support 1.5;", "type cubicSpline; support 4;", "type poly6Spiky; support 2.4;"})
+    {
+        const Crowding block = crowdingOf(latticeBlock(12, 12, 12, 1), kernel);
+        EXPECT_NEAR(block.most, 1, 5e-6) << kernel;
+        EXPECT_NEAR(block.nearest, 1, 1e-6);
+        EXPECT_LT(block.mean, 1);
+        EXPECT_FALSE(block.overlaps());
+        // Layers half a spacing apart, the least that fillLiquid leaves: 1.42 with the narrowest kernel.
+        auto touching = latticeBlock(12, 12, 6, 1);
+        for (const Vec3& p : latticeBlock(12, 12, 6, 1, {0, 0, 5.5f})) touching.push_back(p);
+        EXPECT_LT(crowdingOf(touching, kernel).most, 1.43) << kernel;
+        EXPECT_FALSE(crowdingOf(touching, kernel).overlaps()) << kernel;
+    }
+}
+
+TEST(StartCheck, FindsWhatOverlaps)
+{
+    EXPECT_TRUE(crowdingOf(latticeBlock(6, 6, 6, 0.8f)).overlaps());            // few particles: by the densest one
+    EXPECT_NEAR(crowdingOf(latticeBlock(6, 6, 6, 0.8f)).nearest, 0.8, 1e-6);
+    EXPECT_TRUE(crowdingOf(latticeBlock(16, 16, 16, 0.93f)).overlaps());        // many: by the mean
+    // A small body filled in twice in a large one: in each place two particles of a density of 2.
+    auto twice = latticeBlock(16, 16, 16, 1);
+    for (const Vec3& p : latticeBlock(5, 5, 5, 1, {4, 4, 4})) twice.push_back(p);
+    const Crowding crowding = crowdingOf(twice);
+    EXPECT_LT(crowding.mean, Crowding::mostMean);
+    EXPECT_NEAR(crowding.most, 2, 1e-5);
+    EXPECT_EQ(crowding.nearest, 0);
+    EXPECT_TRUE(crowding.overlaps());
+}
+
+TEST(StartCheck, SaysWhatWasFoundAndWhatToDo)
+{
+    LiquidCase drop;
+    drop.place(latticeBlock(8, 8, 8, 0.7f, {1, 1, 1}));
+    EXPECT_TRUE(holds(messageOf([&] { refuseOverlap(drop.liquid, "case/0.5"); }),
+    {
+        "case/0.5/liquid/positions", "512 particles", "overlapping", "2.9", "rest densities", "0.7 spacings", "fillLiquid",
+        "0.001 m", "0.00070"
+    }));
+    drop.place(latticeBlock(8, 8, 8, 1));
+    EXPECT_EQ(messageOf([&] { refuseOverlap(drop.liquid, "case/0"); }), "no error");
+}
