@@ -2,6 +2,7 @@
 set(SHIZUKU_DEVICE_SOURCES
     device/Algorithms.C
     device/Profile.C
+    device/ProfileTable.C
     particles/Units.C
     particles/FieldRegistry.C
     particles/ParticleFiles.C

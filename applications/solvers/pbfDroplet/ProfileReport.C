@@ -2,10 +2,9 @@
 
 #include "Ceilings.H"
 #include "device/Device.H"
-#include "device/Profile.H"
+#include "device/ProfileTable.H"
 #include "device/Reduce.H"
 
-#include <iomanip>
 #include <iostream>
 
 namespace shizuku
@@ -57,17 +56,9 @@ void ProfileReport::report(const Liquid& liquid, const Neighbourhood& near) cons
     }
     const auto times = stopProfile();
     const long launches = deviceCounters().launches - launchesBefore_;
-    double sum = 0;
     std::cout << "\nProfile of " << counted_ << " sub-steps, " << liquid.owned() << " particles with "
-              << averageNeighbours(liquid, near) << " neighbours\n"
-              << "calls a sub-step   ms a sub-step   kernel\n";
-    for (const KernelTime& time : times)
-    {
-        sum += time.milliseconds / counted_;
-        std::cout << std::setw(16) << double(time.calls) / counted_ << std::setw(16) << time.milliseconds / counted_
-                  << "   " << time.kernel << '\n';
-    }
-    std::cout << std::setw(16) << double(launches) / counted_ << std::setw(16) << sum << "   all\n";
+              << averageNeighbours(liquid, near) << " neighbours\n";
+    printProfile(std::cout, times, launches, counted_, "sub-step");
     const Ceilings ceilings = measureCeilings();
     std::cout << "Ceilings: " << ceilings.bytesPerSecond << " bytes/s copied, " << ceilings.operationsPerSecond
               << " operations/s" << std::endl;

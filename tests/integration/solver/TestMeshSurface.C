@@ -61,6 +61,15 @@ TEST_P(MeshSurface, enclosesTheLiquid)
     }
 }
 
+TEST_P(MeshSurface, saysWhatAMeshTakes)
+{
+    const Outcome outcome = call("meshSurface", "-time 0 -repeats 3");
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const std::string count = std::to_string(particles);
+    EXPECT_TRUE(holds(outcome.text, {"Repeats : median", "of 3 meshes of " + count + " particles", "ms a mesh", "PlaceVertices", "all"}));
+    for (const std::string number : {"-1", "2.5"}) expectMeshRefusal({"-repeats", number, "0 to 1000000"}, "-time 0 -repeats " + number);
+}
+
 TEST_P(MeshSurface, meshesTheTimesAskedFor)
 {
     expectMeshes("", {"0", "0.001", "0.002"});

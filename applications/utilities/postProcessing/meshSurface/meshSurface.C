@@ -1,5 +1,6 @@
 // meshSurface: the liquid's surface of each time as a closed triangle mesh, <time>/surface/liquid.<format>.
 
+#include "MeshTimes.H"
 #include "core/arguments/runApplication.H"
 #include "core/messages/Progress.H"
 #include "core/time/Time.H"
@@ -72,8 +73,16 @@ std::string conserved(TriangleMesh& mesh, double volume, double spacing)
     return text.str();
 }
 
+int repeatsOf(const Arguments& args)
+{
+    const double repeats = args.getDouble("repeats");
+    if (repeats >= 0 && repeats <= 1e6 && repeats == std::floor(repeats)) return int(repeats);
+    throw FatalInputError({}, "Option -repeats has the value " + args.get("repeats"), "a number of meshes, 0 to 1000000");
+}
+
 void meshSurface(const Arguments& args)
 {
+    const int repeats = repeatsOf(args);
     const DeviceInfo device = openDevice();
     std::cout << "Device : " << device.backend << ", " << device.name << "\n\n";
 
@@ -88,12 +97,16 @@ void meshSurface(const Arguments& args)
     for (std::size_t t = 0; t < times.size(); ++t)
     {
         const std::vector<Vector3> positions = readLiquidPositions(times[t].path);
-        TriangleMesh mesh = toTriangleMesh(surface.extract(scaled(positions, units.length)), units.length);
+        const Buffer<Vec3> particles(scaled(positions, units.length));
+        surface.build(particles.span());
+        TriangleMesh mesh = toTriangleMesh(surface.download(), units.length);
         const double volume = mesh.volume(), filled = double(positions.size()) * spacing * spacing * spacing;
-        std::cout << "Time = " << times[t].name << " s: " << mesh.faces.size() << " triangles, volume " << volume << " m3";
+        std::cout << "Time = " << times[t].name << " s: " << mesh.faces.size() << " triangles, "
+                  << mesh.vertices.size() << " vertices, volume " << volume << " m3";
         if (filled > 0) std::cout << " (" << signedPercent(volume / filled - 1) << " against the particles' N d^3)";
         if (controls.conserveVolume && filled > 0) std::cout << ", " << conserved(mesh, filled, spacing);
         std::cout << std::endl;
+        if (repeats > 0 && filled > 0) reportMeshTimes(surface, particles.span(), repeats);
         for (const auto& [word, format] : formats) format->write(liquidSurfaceFile(times[t].path, word), mesh);
         progress.update(double(t + 1) / double(times.size()));
         most = std::max(most, positions.size());
@@ -121,7 +134,8 @@ extern "C" int runOnDevice(int argc, char** argv)
         .options =
         {
             {"device", "auto|cuda|cpu", "where to compute; auto takes a GPU where there is one", "auto"},
-            {"formats", "LIST", "of " + words + ", e.g. \"(ply stl)\"; default: those of system/meshSurfaceDict, or ply", ""}
+            {"formats", "LIST", "of " + words + ", e.g. \"(ply stl)\"; default: those of system/meshSurfaceDict, or ply", ""},
+            {"repeats", "N", "make each mesh N times more, and print what it takes", "0"}
         }
     };
     for (const Option& option : timeSelectionOptions()) info.options.push_back(option);
