@@ -11,6 +11,7 @@
 #endif
 
 #include <thrust/device_ptr.h>
+#include <thrust/functional.h>
 #include <thrust/scan.h>
 
 #include <string>
@@ -20,14 +21,6 @@ namespace shizuku
 
 namespace
 {
-
-template<class Key>
-void sort(Buffer<Key>& keys, Buffer<std::uint32_t>& values, int bits)
-{
-    ++deviceCounters().launches;
-    const device::KernelTimer timer("sort");
-    device::sortPairs(keys.span().data, values.span().data, keys.size(), bits);
-}
 
 // Stays at the largest number instead of starting anew at zero.
 struct SaturatingSum
@@ -39,10 +32,37 @@ struct SaturatingSum
     }
 };
 
+template<class T, class Sum>
+T scan(const Buffer<T>& in, Buffer<T>& out, Sum sum)
+{
+    const int n = in.size();
+    out.resizeDiscarding(n + 1);
+    const auto source = thrust::device_pointer_cast(in.span().data);
+    const auto target = thrust::device_pointer_cast(out.span().data);
+    ++deviceCounters().launches;
+    const device::KernelTimer timer("scan");
+    device::setBytes(out.span().data, 0, sizeof(T));
+    thrust::inclusive_scan(device::executionPolicy(), source, source + n, target + 1, sum);
+    T total = 0;
+    device::copyToHost(&total, out.span().data + n, sizeof(total));
+    return total;
 }
 
-void sortByKey(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values, int bits) { sort(keys, values, bits); }
-void sortByKey(Buffer<std::uint64_t>& keys, Buffer<std::uint32_t>& values, int bits) { sort(keys, values, bits); }
+}
+
+void sortByKey(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values, int bits)
+{
+    ++deviceCounters().launches;
+    const device::KernelTimer timer("sort");
+    device::sortPairs(keys.span().data, values.span().data, keys.size(), bits);
+}
+
+void sort(Buffer<std::uint64_t>& keys)
+{
+    ++deviceCounters().launches;
+    const device::KernelTimer timer("sort");
+    device::sortKeys(keys.span().data, keys.size());
+}
 
 void select(const Buffer<std::uint8_t>& chosen, Selection& selection)
 {
@@ -58,16 +78,7 @@ void select(const Buffer<std::uint8_t>& chosen, Selection& selection)
 
 std::uint32_t exclusiveScan(const Buffer<std::uint32_t>& in, Buffer<std::uint32_t>& out, const char* list)
 {
-    const int n = in.size();
-    out.resizeDiscarding(n + 1);
-    const auto source = thrust::device_pointer_cast(in.span().data);
-    const auto target = thrust::device_pointer_cast(out.span().data);
-    ++deviceCounters().launches;
-    const device::KernelTimer timer("scan");
-    device::setBytes(out.span().data, 0, sizeof(std::uint32_t));
-    thrust::inclusive_scan(device::executionPolicy(), source, source + n, target + 1, SaturatingSum{});
-    std::uint32_t total = 0;
-    device::copyToHost(&total, out.span().data + n, sizeof(total));
+    const std::uint32_t total = scan(in, out, SaturatingSum{});
     constexpr std::uint32_t most = 0x7fffffffu;
     if (total > most)
     {
@@ -79,6 +90,11 @@ std::uint32_t exclusiveScan(const Buffer<std::uint32_t>& in, Buffer<std::uint32_
         );
     }
     return total;
+}
+
+std::uint64_t exclusiveScan(const Buffer<std::uint64_t>& in, Buffer<std::uint64_t>& out)
+{
+    return scan(in, out, thrust::plus<std::uint64_t>());
 }
 
 }

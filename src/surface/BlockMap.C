@@ -2,9 +2,11 @@
 
 #include "core/messages/Error.H"
 #include "device/Algorithms.H"
+#include "device/Atomic.H"
 #include "device/ForEach.H"
 #include "device/Reduce.H"
 
+#include <algorithm>
 #include <string>
 
 namespace shizuku
@@ -24,110 +26,58 @@ struct FarthestOfParticle
     }
 };
 
-struct BlockOfParticle
-{
-    float cell;
-    Span<const Vec3> positions;
-    Span<std::uint64_t> keys;
-    Span<std::uint32_t> order;
+// What is counted while keys are collected.
+enum Count { stored, farParticles, misses, counts };
 
-    HOST_DEVICE int block(float x) const { return BlockMapView::blockOf(int(floorf(x / cell))); }
+// Each block that a particle reaches once, as a key in a table with open places and, in no order, in a list. Where there is no
+// room for all that is noted.
+struct CollectKeys
+{
+    static constexpr std::uint64_t free = ~std::uint64_t(0);
+
+    BlockMapView map;
+    float reach, most;                          // most: a coordinate that is too far
+    Span<const Vec3> positions;
+    Span<std::uint64_t> table;                  // 2^bits places
+    int bits;
+    Span<std::uint64_t> keys;
+    Span<std::uint32_t> count;
 
     HOST_DEVICE void operator()(int i) const
     {
         const Vec3 p = positions[i];
-        keys[i] = BlockMapView::key(block(p.x), block(p.y), block(p.z));
-        order[i] = std::uint32_t(i);
-    }
-};
-
-// Equal keys stand together: a run. Which key is the first of its run?
-struct FindFirst
-{
-    Span<const std::uint64_t> keys;
-    Span<std::uint32_t> first;
-
-    HOST_DEVICE void operator()(int i) const { first[i] = i == 0 || keys[i] != keys[i - 1]; }
-};
-
-struct StoreRunStarts
-{
-    Span<const std::uint32_t> run;              // runs that begin before i
-    Span<std::uint32_t> start;                  // of each run; behind the last: the number of keys
-
-    HOST_DEVICE void operator()(int i) const
-    {
-        if (run[i + 1] > run[i]) start[int(run[i])] = std::uint32_t(i);
-        if (i + 2 == run.size) start[start.size - 1] = std::uint32_t(i + 1);
-    }
-};
-
-// Which of the 27 blocks around a block, and itself, its particles reach: one bit each, and how many.
-struct FindReached
-{
-    float cell, reach;
-    Span<const Vec3> positions;
-    Span<const std::uint64_t> keys;
-    Span<const std::uint32_t> order, start;
-    Span<std::uint32_t> reached, count;
-
-    // From the block's first node at `low` to -1, 0 or 1: the block that x is in.
-    HOST_DEVICE int side(float x, int low) const
-    {
-        const int node = int(floorf(x / cell)) - low;
-        return node < 0 ? -1 : node < BlockMapView::edge ? 0 : 1;
+        if (fabsf(p.x) >= most || fabsf(p.y) >= most || fabsf(p.z) >= most) count[farParticles] = 1;
+        if (!(fabsf(p.x) < most && fabsf(p.y) < most && fabsf(p.z) < most)) return;     // no number is nowhere
+        const int highX = map.blockAt(p.x + reach), highY = map.blockAt(p.y + reach), highZ = map.blockAt(p.z + reach);
+        for (int z = map.blockAt(p.z - reach); z <= highZ; ++z)
+            for (int y = map.blockAt(p.y - reach); y <= highY; ++y)
+                for (int x = map.blockAt(p.x - reach); x <= highX; ++x)
+                {
+                    add(BlockMapView::key(x, y, z));
+                }
     }
 
-    HOST_DEVICE void operator()(int k) const
+    HOST_DEVICE void add(std::uint64_t key) const
     {
-        const auto block = BlockMapView::blockOfKey(keys[int(start[k])]);
-        const int edge = BlockMapView::edge;
-        std::uint32_t bits = 0;
-        for (std::uint32_t i = start[k]; i < start[k + 1]; ++i)
+        // Fibonacci hashing: neighbouring keys far from each other.
+        const std::uint32_t first = std::uint32_t(key * 0x9e3779b97f4a7c15u >> (64 - bits));
+        for (int step = 0; step < table.size; ++step)
         {
-            const Vec3 p = positions[int(order[int(i)])];
-            for (int z = side(p.z - reach, edge * block.z); z <= side(p.z + reach, edge * block.z); ++z)
-                for (int y = side(p.y - reach, edge * block.y); y <= side(p.y + reach, edge * block.y); ++y)
-                    for (int x = side(p.x - reach, edge * block.x); x <= side(p.x + reach, edge * block.x); ++x)
-                    {
-                        bits |= 1u << ((z + 1) * 9 + (y + 1) * 3 + x + 1);
-                    }
+            std::uint64_t& place = table[int((first + std::uint32_t(step)) & std::uint32_t(table.size - 1))];
+            std::uint64_t there = look(place);
+            if (there == free) there = replace(place, free, key);
+            if (there == key) return;
+            if (there == free)
+            {
+                const std::uint32_t number = increment(count[stored]);
+                if (number < std::uint32_t(keys.size)) keys[int(number)] = key;
+                else count[misses] = 1;
+                return;
+            }
+            if (look(count[misses]) > 0) return;
         }
-        reached[k] = bits;
-        std::uint32_t sum = 0;
-        for (; bits != 0; bits &= bits - 1) ++sum;
-        count[k] = sum;
+        count[misses] = 1;
     }
-};
-
-struct ListReached
-{
-    Span<const std::uint64_t> keys;
-    Span<const std::uint32_t> start, reached, first;
-    Span<std::uint64_t> list;
-    Span<std::uint32_t> order;
-
-    HOST_DEVICE void operator()(int k) const
-    {
-        const auto block = BlockMapView::blockOfKey(keys[int(start[k])]);
-        int place = int(first[k]);
-        for (int n = 0; n < 27; ++n)
-        {
-            if (!(reached[k] >> n & 1)) continue;
-            list[place] = BlockMapView::key(block.x + n % 3 - 1, block.y + n / 3 % 3 - 1, block.z + n / 9 - 1);
-            order[place] = std::uint32_t(place);
-            ++place;
-        }
-    }
-};
-
-struct StoreKeys
-{
-    Span<const std::uint64_t> keys;
-    Span<const std::uint32_t> start;
-    Span<std::uint64_t> stored;
-
-    HOST_DEVICE void operator()(int k) const { stored[k] = keys[int(start[k])]; }
 };
 
 struct FindNext
@@ -145,13 +95,14 @@ struct FindNext
 
 }
 
-BlockMap::BlockMap(float cell, float reach) : cell_(cell), reach_(fminf(reach, BlockMapView::edge * cell)) {}
+BlockMap::BlockMap(float cell, float reach)
+:
+    cell_(cell), reach_(fminf(reach, BlockMapView::edge * cell)), counts_(counts)
+{}
 
-void BlockMap::refuseFarParticles(Span<const Vec3> positions)
+void BlockMap::refuseFarParticles(Span<const Vec3> positions, float most)
 {
     const float farthest = reduce(positions.size, FarthestOfParticle{positions}, scratch_).coordinate;
-    const float most = cell_ * BlockMapView::edge * (BlockMapView::farthest - 2);
-    if (farthest < most) return;
     throw FatalError
     (
         "A particle is " + std::to_string(long(farthest / cell_)) + " cells away from the origin, more than "
@@ -160,50 +111,36 @@ void BlockMap::refuseFarParticles(Span<const Vec3> positions)
     );
 }
 
-int BlockMap::findRuns(const Buffer<std::uint64_t>& sorted)
+// How many there are; they stand in keys_, in no order.
+int BlockMap::collectKeys(Span<const Vec3> positions)
 {
-    flags_.resizeDiscarding(sorted.size());
-    forEach(sorted.size(), FindFirst{sorted.span(), flags_.span()});
-    const int runs = int(exclusiveScan(flags_, run_, "blocks of nodes"));
-    start_.resizeDiscarding(runs + 1);
-    forEach(sorted.size(), StoreRunStarts{run_.span(), start_.span()});
-    return runs;
+    constexpr int leastBits = 12;
+    const float most = cell_ * BlockMapView::edge * (BlockMapView::farthest - 2);
+    // Full blocks of cells of half a spacing hold 64 particles, and half of the places shall stay free.
+    int bits = leastBits;
+    while (1 << bits < std::max(positions.size / 8, table_.size())) ++bits;
+    for (;; bits += 2)
+    {
+        if (bits > 30) throw FatalError("The liquid is spread over too many blocks of nodes: use larger cells in system/meshSurfaceDict.");
+        table_.resizeDiscarding(1 << bits);
+        keys_.resizeDiscarding(1 << (bits - 1));
+        device::setBytes(table_.span().data, 0xff, std::size_t(table_.size()) * sizeof(std::uint64_t));
+        counts_.setZero();
+        forEach
+        (
+            positions.size,
+            CollectKeys{view(), reach_, most, positions, table_.span(), bits, keys_.span(), counts_.span()}
+        );
+        std::uint32_t count[counts];
+        counts_.download(count, counts);
+        if (count[farParticles] > 0) refuseFarParticles(positions, most);
+        if (count[misses] == 0) return int(count[stored]);
+    }
 }
 
 void BlockMap::cover(Span<const Vec3> positions)
 {
-    refuseFarParticles(positions);
-    candidates_.resizeDiscarding(positions.size);
-    order_.resizeDiscarding(positions.size);
-    forEach(positions.size, BlockOfParticle{cell_, positions, candidates_.span(), order_.span()});
-    sortByKey(candidates_, order_);
-
-    const int occupied = findRuns(candidates_);
-    reached_.resizeDiscarding(occupied);
-    flags_.resizeDiscarding(occupied);
-    forEach
-    (
-        occupied,
-        FindReached
-        {
-            cell_, reach_, positions, candidates_.span(), order_.span(), start_.span(), reached_.span(), flags_.span()
-        }
-    );
-    const int listed = int(exclusiveScan(flags_, firstReached_, "blocks of nodes"));
-    keys_.resizeDiscarding(listed);
-    order_.resizeDiscarding(listed);
-    forEach
-    (
-        occupied,
-        ListReached
-        {
-            candidates_.span(), start_.span(), reached_.span(), firstReached_.span(), keys_.span(), order_.span()
-        }
-    );
-    sortByKey(keys_, order_);
-    candidates_.swap(keys_);
-
-    const int stored = findRuns(candidates_);
+    const int stored = collectKeys(positions);
     constexpr int most = 0x7fffffff / (3 * BlockMapView::nodes);
     if (stored > most)
     {
@@ -213,8 +150,8 @@ void BlockMap::cover(Span<const Vec3> positions)
           + ".\n    Use larger cells in system/meshSurfaceDict, or mesh it in parts."
         );
     }
-    keys_.resizeDiscarding(stored);
-    forEach(stored, StoreKeys{candidates_.span(), start_.span(), keys_.span()});
+    keys_.resize(stored);
+    sort(keys_);
     next_.resizeDiscarding(8 * stored);
     forEach(8 * stored, FindNext{view(), next_.span()});
 }

@@ -1,10 +1,12 @@
 #include "surface/LiquidSurface.H"
 
+#include "core/messages/Error.H"
 #include "device/Algorithms.H"
 #include "device/Gather.H"
 #include "device/Reduce.H"
 #include "maths/Lattice.H"
-#include "neighbours/CellGrid.H"
+#include "surface/Indicator.H"
+#include "surface/NodeRows.H"
 
 #include <numbers>
 
@@ -18,15 +20,7 @@ constexpr float level = 0.5f;
 constexpr float wideSupport = 1.75f;        // of the second smoothing, supports of the first
 constexpr float meanSquares = 3.9f;         // of a triangle's sides, their sum, cells^2; by area, on a sphere
 
-// Of a kernel smoothing the half space below a plane: phi's slope on the plane, and s^2, half the mean square radius of W
-// in the plane. Where the plane bends to a sphere of radius R, the level 1/2 moves inwards by s^2/R (doc/theory/surface.md).
-struct PlaneMoments
-{
-    float slope;                // 1/length
-    float s2;                   // length^2
-};
-
-PlaneMoments planeMoments(const CubicSpline& W)
+PlaneMoments momentsOf(const CubicSpline& W)
 {
     constexpr int intervals = 2000;
     const double dr = double(W.h) / intervals;
@@ -47,207 +41,233 @@ float volumeOf(float spacing, const CubicSpline& W)
     return spacing * spacing * spacing / sum;
 }
 
-// phi and its gradient.
-struct Indicator
+// Every second node along each axis, one of eight.
+struct EvaluateCoarse
 {
-    CubicSpline W;
-    float volume;
-    CellGridView grid;
-    Span<const Vec3> particles;
+    static constexpr int edge = BlockMapView::edge / 2, nodes = edge * edge * edge;
 
-    HOST_DEVICE float value(Vec3 x) const
-    {
-        float sum = 0;
-        const float support2 = W.h * W.h;
-        grid.forEachCandidate(x, W.h, [&](int j)
-        {
-            const float r2 = squared(x - particles[j]);
-            if (r2 < support2) sum += W.W(sqrtf(r2));
-        });
-        return volume * sum;
-    }
-
-    HOST_DEVICE float value(Vec3 x, Vec3& gradient) const
-    {
-        float sum = 0;
-        Vec3 slope;
-        const float support2 = W.h * W.h;
-        grid.forEachCandidate(x, W.h, [&](int j)
-        {
-            const Vec3 r = x - particles[j];
-            const float r2 = squared(r);
-            if (r2 >= support2) return;
-            const float distance = sqrtf(r2);
-            sum += W.W(distance);
-            slope += W.g(distance) * r;
-        });
-        gradient = volume * slope;
-        return volume * sum;
-    }
-};
-
-struct EvaluateNodes
-{
     Indicator phi;
     BlockMapView map;
     Span<float> value;
 
-    HOST_DEVICE void operator()(int i) const { value[i] = phi.value(map.position(i)); }
+    HOST_DEVICE void operator()(int k, Team team) const
+    {
+        const int x = k % edge, y = k / edge % edge, z = k / (edge * edge) % edge;
+        const int node = k / nodes * BlockMapView::nodes + 2 * ((z * BlockMapView::edge + y) * BlockMapView::edge + x);
+        const float sum = phi.value(map.position(node), team);
+        if (team.first()) value[node] = sum;
+    }
 };
 
-// Values at nodes, zero where none is stored.
-struct NodeField
+// The other nodes, by rows, and which of a row are inside. A node whose coarse nodes around it all lie deep in the liquid, or all far
+// outside, is taken to be so as well: phi has no way to cross the level between them. The lanes of a team share the nodes.
+struct EvaluateRow
 {
+    static constexpr float deep = 0.9f, outside = 0.1f;
+
+    Indicator phi;
     BlockMapView map;
-    Span<const float> value;
+    bool refines;
+    Span<float> value;
+    Span<std::uint8_t> inside;
 
-    // Node i moved by 0 or 1 along each axis.
-    HOST_DEVICE float at(int i, int dx, int dy, int dz) const
+    // Node `node` has odd coordinates where `odd` has the axis' bit. Is it known without a sum, and which value has it then?
+    HOST_DEVICE bool known(int node, int odd, float& found) const
     {
-        const int n = map.neighbour(i, dx, dy, dz);
-        return n < 0 ? 0 : value[n];
+        float least = 1e30f, most = -1e30f;
+        for (int corner = 0; corner < 8; ++corner)
+        {
+            if (corner & ~odd) continue;
+            const int back = odd & ~corner;     // along these axes to the node before, along the others to the one behind
+            const int from = node - (back & 1) - (back >> 1 & 1) * BlockMapView::edge
+                - (back >> 2) * BlockMapView::edge * BlockMapView::edge;
+            const int coarse = map.neighbour(from, corner & 1, corner >> 1 & 1, corner >> 2);
+            const float there = coarse < 0 ? 0 : value[coarse];
+            least = fminf(least, there);
+            most = fmaxf(most, there);
+        }
+        found = least;
+        return refines && (least > deep || most < outside);
     }
 
-    HOST_DEVICE bool inside(int i, int dx, int dy, int dz) const { return at(i, dx, dy, dz) > level; }
-
-    // Of the cell whose lowest corner is node i: its corners inside as bits.
-    HOST_DEVICE int caseOf(int i) const
+    HOST_DEVICE void operator()(int row, Team team) const
     {
-        int corners = 0;
-        for (int c = 0; c < 8; ++c) corners |= inside(i, c & 1, c >> 1 & 1, c >> 2 & 1) ? 1 << c : 0;
-        return corners;
+        constexpr int edge = BlockMapView::edge;
+        const int odd = 2 * (row % 2) + 4 * (row / edge % 2);
+        float bits = 0;                         // below 256: exact
+        for (int x = team.lane; x < edge; x += team.width)
+        {
+            const int node = row * edge + x;
+            float here = value[node];
+            if (odd + x % 2 > 0)
+            {
+                if (!known(node, odd + x % 2, here)) here = phi.value(map.position(node), {});
+                value[node] = here;
+            }
+            if (here > level) bits += float(1 << x);
+        }
+        bits = team.sum(bits);
+        if (team.first()) inside[row] = std::uint8_t(bits);
     }
 };
 
-// Node i owns the edges to the next node along x, y, z; crossed[3 i + axis] says whether the surface cuts it.
-struct FindCrossings
+struct CountCrossings
 {
-    NodeField field;
+    RowView rows;
+    Span<const MarchingCubesTable> table;
     Span<std::uint32_t> crossed;
+    Span<std::uint64_t> counts;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int row) const
     {
-        const bool here = field.value[i] > level;
-        crossed[3 * i] = here != field.inside(i, 1, 0, 0);
-        crossed[3 * i + 1] = here != field.inside(i, 0, 1, 0);
-        crossed[3 * i + 2] = here != field.inside(i, 0, 0, 1);
+        const RowView::Cells cells = rows.cells(row);
+        std::uint32_t edges = 0, triangles = 0;
+        if (!cells.uncut())
+        {
+            edges = cells.crossed();
+            for (int x = 0; x < BlockMapView::edge; ++x) triangles += table[0].triangles[cells.corners(x)];
+        }
+        crossed[row] = edges;
+        counts[row] = RowCounts::pack(std::uint32_t(std::popcount(edges)), triangles);
     }
 };
 
 struct ListEdges
 {
-    Span<const std::uint32_t> firstVertex;
+    VerticesView vertices;
     Span<std::uint32_t> edges;              // of each vertex: 3 node + axis
 
-    HOST_DEVICE void operator()(int edge) const
+    HOST_DEVICE void operator()(int row) const
     {
-        const std::uint32_t vertex = firstVertex[edge];
-        if (firstVertex[edge + 1] > vertex) edges[int(vertex)] = std::uint32_t(edge);
+        std::uint32_t vertex = RowCounts::vertices(vertices.first[row]);
+        for (std::uint32_t rest = vertices.crossed[row]; rest != 0; rest &= rest - 1)
+        {
+            edges[int(vertex++)] = std::uint32_t(RowView::edges * row + std::countr_zero(rest));
+        }
     }
 };
 
-// A vertex on its edge: linear interpolation, then one Newton step along the edge on phi itself.
+// A vertex on its edge: linear interpolation, then one Newton step along the edge on phi itself. From there along its normal to
+// the dividing surface, which leaves no excess of liquid on either side (doc/theory/surface.md). Where the liquid is not deep
+// enough for that, at edges and in films, only what the smoothing moved the level by on a bent surface is taken back. The
+// curvature is told by a wider smoothing, whose level lies further in.
 struct PlaceVertices
 {
-    NodeField field;
-    Indicator phi;
-    Span<const std::uint32_t> edges;
-    Span<Vec3> vertices, normals;
-
-    HOST_DEVICE void operator()(int v) const
-    {
-        const int i = int(edges[v] / 3), axis = int(edges[v] % 3);
-        const float a = field.value[i], b = field.at(i, axis == 0, axis == 1, axis == 2);
-        const float cell = field.map.cell;
-        const Vec3 origin = field.map.position(i);
-        const Vec3 along{axis == 0 ? cell : 0, axis == 1 ? cell : 0, axis == 2 ? cell : 0};
-        float t = (level - a) / (b - a);
-        Vec3 gradient;
-        const float value = phi.value(origin + t * along, gradient);
-        const float slope = dot(gradient, along);
-        if (slope * (b - a) > 0) t += (level - value) / slope;
-        // Away from the nodes: two vertices that fell together would make a triangle without area.
-        t = fminf(fmaxf(t, 0.01f), 0.99f);
-        const Vec3 p = origin + t * along;
-        phi.value(p, gradient);
-        vertices[v] = p;
-        normals[v] = (-1 / fmaxf(norm(gradient), 1e-20f)) * gradient;
-    }
-};
-
-// Moves a vertex from the level along its normal to the dividing surface, which leaves no excess of liquid on either side
-// (doc/theory/surface.md). Where the liquid is not deep enough for that, at edges and in films, only what the smoothing moved
-// the level by on a bent surface is taken back. The curvature is told by a wider smoothing, whose level lies further in.
-struct MoveToDividingSurface
-{
-    static constexpr int inward = 5, outward = 3;       // points of the sum along the normal
+    static constexpr int inward = 5, outward = 3, points = inward + outward;    // of the sum along the normal
     static constexpr float spacing = 0.25f;             // of these, supports
     static constexpr float bulk = 0.98f, edge = 0.9f;   // phi of the two innermost: deep enough, not at all
 
-    Indicator phi, wide;
+    BlockMapView map;
+    Span<const float> value;
+    Indicator phi;
+    CubicSpline wide;
+    float wideVolume;
     PlaneMoments moments, wideMoments;
     float chord;                            // times the curvature: how far the middle of triangles lies below their corners
-    Span<const Vec3> normals;
-    Span<Vec3> vertices;
+    Span<const std::uint32_t> edges;
+    Span<Vec3> vertices, normals;
 
-    HOST_DEVICE void operator()(int v) const
+    HOST_DEVICE void operator()(int v, Team team) const
     {
-        const Vec3 x = vertices[v], n = normals[v];
-        const float wideLevel = (wide.value(x) - level) / wideMoments.slope;
-        const float step = spacing * phi.W.h;
-        // The sum by the midpoint rule is too large where the integrand's slope jumps by 1, at t = 0.
-        float excess = 0, moment = -step * step / 24, deep = bulk;
-        for (int k = -inward; k < outward; ++k)
+        Vec3 normal;
+        const Vec3 x = onLevel(edges[v], normal, team);
+        const float shift = toDividingSurface(x, normal, team);
+        if (!team.first()) return;
+        const float most = moments.s2 / phi.W.h;        // that of a sphere of radius h, the smallest that is resolved
+        vertices[v] = x + fminf(fmaxf(shift, -most), most) * normal;
+        normals[v] = normal;
+    }
+
+    HOST_DEVICE Vec3 onLevel(std::uint32_t cut, Vec3& normal, Team team) const
+    {
+        const int node = int(cut / 3), axis = int(cut % 3);
+        const int next = map.neighbour(node, axis == 0, axis == 1, axis == 2);
+        const float a = value[node], b = next < 0 ? 0 : value[next], cell = map.cell;
+        const Vec3 origin = map.position(node);
+        const Vec3 along{axis == 0 ? cell : 0, axis == 1 ? cell : 0, axis == 2 ? cell : 0};
+        float t = (level - a) / (b - a);
+        Vec3 gradient;
+        const float here = phi.value(origin + t * along, gradient, team);
+        const float slope = dot(gradient, along);
+        if (slope * (b - a) > 0) t += (level - here) / slope;
+        // Away from the nodes: two vertices that fell together would make a triangle without area.
+        t = fminf(fmaxf(t, 0.01f), 0.99f);
+        const Vec3 x = origin + t * along;
+        phi.value(x, gradient, team);
+        normal = (-1 / fmaxf(norm(gradient), 1e-20f)) * gradient;
+        return x;
+    }
+
+    // All sums at once: over the particles around the middle of the points, r from there.
+    HOST_DEVICE float toDividingSurface(Vec3 x, Vec3 normal, Team team) const
+    {
+        const float step = spacing * phi.W.h, middle = 0.5f * (outward - inward) * step;
+        const float reach = fmaxf(phi.W.h + 0.5f * (points - 1) * step, wide.h + fabsf(middle));
+        Team::Float sums[points] = {}, wideSum{};
+        phi.forEachNear(x + middle * normal, reach, [&](auto r)
         {
-            const float t = (float(k) + 0.5f) * step;
-            const float value = phi.value(x + t * n), extra = (value - (k < 0 ? 1.0f : 0.0f)) * step;
+            const auto squares = squared(r), height = dot(r, normal);
+            const auto distance = [&](float up) { return sqrtf(fmaxf(squares + up * (2 * height + up), 0)); };
+            wideSum += wide.W(distance(-middle));
+            for (int k = 0; k < points; ++k)
+            {
+                const auto apart = distance((float(k) - 0.5f * (points - 1)) * step);
+                if (!noneOf(apart < phi.W.h)) sums[k] += phi.W.W(apart);
+            }
+        }, team);
+        const float wideLevel = (wideVolume * team.sum(wideSum) - level) / wideMoments.slope;
+
+        // The sum by the midpoint rule is too large where the integrand's slope jumps by 1, at t = 0.
+        float excess = 0, moment = -step * step / 24, depth = bulk;
+        for (int k = 0; k < points; ++k)
+        {
+            const float t = (float(k - inward) + 0.5f) * step;
+            const float here = phi.volume * team.sum(sums[k]), extra = (here - (k < inward ? 1.0f : 0.0f)) * step;
             excess += extra;
             moment += extra * t;
-            if (k < 2 - inward) deep = fminf(deep, value);
+            if (k < 2) depth = fminf(depth, here);
         }
         const float curvature = (excess - wideLevel) / fmaxf(wideMoments.s2 - 2 * moment, 0.5f * wideMoments.s2);
         const float whole = excess + (2 * moment + chord) * curvature;
         const float bent = -wideLevel * moments.s2 / (wideMoments.s2 - moments.s2);
-        const float part = fmaxf((deep - edge) / (bulk - edge), 0.0f);
-        const float shift = part * whole + (1 - part) * bent;
-        const float most = moments.s2 / phi.W.h;        // that of a sphere of radius h, the smallest that is resolved
-        vertices[v] += fminf(fmaxf(shift, -most), most) * n;
+        const float part = fmaxf((depth - edge) / (bulk - edge), 0.0f);
+        return part * whole + (1 - part) * bent;
     }
 };
 
-struct CountTriangles
-{
-    NodeField field;
-    Span<const MarchingCubesTable> table;
-    Span<std::uint32_t> count;
-
-    HOST_DEVICE void operator()(int i) const
-    {
-        count[i] = table[0].triangles[field.caseOf(i)];
-    }
-};
-
+// The lanes of a team share the cells of a row.
 struct StoreTriangles
 {
-    NodeField field;
+    RowView rows;
+    VerticesView vertices;
     Span<const MarchingCubesTable> table;
-    Span<const std::uint32_t> firstTriangle, firstVertex;
     Span<std::uint32_t> triangles;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int row, Team team) const
     {
-        const std::uint32_t first = firstTriangle[i], count = firstTriangle[i + 1] - first;
-        if (count == 0) return;
-        const auto& edges = table[0].edges[field.caseOf(i)];
-        for (std::uint32_t k = 0; k < 3 * count; ++k)
+        std::uint32_t first = RowCounts::triangles(vertices.first[row]);
+        if (RowCounts::triangles(vertices.first[row + 1]) == first) return;
+        const RowView::Cells cells = rows.cells(row);
+        for (int x = 0; x < BlockMapView::edge; ++x)
+        {
+            const int corners = cells.corners(x), count = table[0].triangles[corners];
+            if (x % team.width == team.lane) store(row * BlockMapView::edge + x, table[0].edges[corners].data(), 3 * count, 3 * first);
+            first += std::uint32_t(count);
+        }
+    }
+
+    // The corners of cell `node`, given as its edges.
+    HOST_DEVICE void store(int node, const std::uint8_t* edges, int count, std::uint32_t first) const
+    {
+        for (int k = 0; k < count; ++k)
         {
             // Edge 4 axis + bits starts at the offsets of its bits along the two other axes, lower axis first.
             const int edge = edges[k], axis = edge / 4, low = edge & 1, high = edge >> 1 & 1;
-            const int owner = field.map.neighbour
+            const int owner = rows.map.neighbour
             (
-                i, axis == 0 ? 0 : low, axis == 0 ? low : axis == 1 ? 0 : high, axis == 2 ? 0 : high
+                node, axis == 0 ? 0 : low, axis == 0 ? low : axis == 1 ? 0 : high, axis == 2 ? 0 : high
             );
-            triangles[int(3 * first + k)] = firstVertex[3 * owner + axis];
+            triangles[int(first) + k] = vertices.on(owner, axis);
         }
     }
 };
@@ -277,7 +297,9 @@ LiquidSurface::LiquidSurface(const SurfaceParameters& parameters)
 :
     kernel_(parameters.support), wideKernel_(wideSupport * parameters.support),
     volume_(volumeOf(parameters.spacing, kernel_)), wideVolume_(volumeOf(parameters.spacing, wideKernel_)),
-    grid_(kernel_.h, wideKernel_.h),
+    moments_(momentsOf(kernel_)), wideMoments_(momentsOf(wideKernel_)),
+    refines_(4 * parameters.cell <= parameters.support),
+    grid_(kernel_.h, 2 * kernel_.h),
     blocks_(parameters.cell, parameters.support + parameters.cell),
     table_(std::vector<MarchingCubesTable>{makeMarchingCubesTable()})
 {}
@@ -289,10 +311,11 @@ void LiquidSurface::build(Span<const Vec3> positions)
     triangles_.resizeDiscarding(0);
     if (positions.size == 0) return;
 
+    blocks_.cover(positions);
     gather(positions, grid_.build(positions, positions.size), particles_);
     evaluateNodes();
+    countCrossings();
     placeVertices();
-    placeTriangles();
 }
 
 SurfaceMesh LiquidSurface::download() const
@@ -305,57 +328,56 @@ double LiquidSurface::volume()
     return reduce(triangles_.size() / 3, VolumeBelow{vertices_.span(), triangles_.span()}, scratch_).value;
 }
 
-SurfaceMesh LiquidSurface::extract(const std::vector<Vec3>& positions)
-{
-    given_.upload(positions);
-    build(given_.span());
-    return download();
-}
-
 void LiquidSurface::evaluateNodes()
 {
-    blocks_.cover(particles_.span());
-    value_.resizeDiscarding(blocks_.nodes());
+    value_.resizeDiscarding(blocks_.blocks() * BlockMapView::nodes);
+    inside_.resizeDiscarding(blocks_.blocks() * RowView::rows);
     const Indicator phi{kernel_, volume_, grid_.view(), particles_.span()};
-    forEach(value_.size(), EvaluateNodes{phi, blocks_.view(), value_.span()});
+    forEachTeam(blocks_.blocks() * EvaluateCoarse::nodes, EvaluateCoarse{phi, blocks_.view(), value_.span()});
+    forEachTeam(inside_.size(), EvaluateRow{phi, blocks_.view(), refines_, value_.span(), inside_.span()});
+}
+
+void LiquidSurface::countCrossings()
+{
+    crossed_.resizeDiscarding(inside_.size());
+    counts_.resizeDiscarding(inside_.size());
+    forEach
+    (
+        inside_.size(),
+        CountCrossings{{blocks_.view(), inside_.span()}, table_.span(), crossed_.span(), counts_.span()}
+    );
+    const std::uint64_t all = exclusiveScan(counts_, first_);
+    if (RowCounts::triangles(all) > 0x7fffffffu / 3)
+    {
+        throw FatalError
+        (
+            "The surface has " + std::to_string(RowCounts::triangles(all))
+          + " triangles, more than fit into one list.\n    Use larger cells in system/meshSurfaceDict."
+        );
+    }
+    vertices_.resizeDiscarding(int(RowCounts::vertices(all)));
+    normals_.resizeDiscarding(vertices_.size());
+    edges_.resizeDiscarding(vertices_.size());
+    triangles_.resizeDiscarding(3 * int(RowCounts::triangles(all)));
 }
 
 void LiquidSurface::placeVertices()
 {
-    const NodeField field{blocks_.view(), value_.span()};
-    flags_.resizeDiscarding(3 * value_.size());
-    forEach(value_.size(), FindCrossings{field, flags_.span()});
-    const int count = int(exclusiveScan(flags_, firstVertex_, "vertices of the surface"));
-    edges_.resizeDiscarding(count);
-    forEach(flags_.size(), ListEdges{firstVertex_.span(), edges_.span()});
-
-    vertices_.resizeDiscarding(count);
-    normals_.resizeDiscarding(count);
-    const Indicator phi{kernel_, volume_, grid_.view(), particles_.span()};
-    forEach(count, PlaceVertices{field, phi, edges_.span(), vertices_.span(), normals_.span()});
-
-    const Indicator wide{wideKernel_, wideVolume_, grid_.view(), particles_.span()};
-    const float chord = meanSquares / 24 * blocks_.view().cell * blocks_.view().cell;
-    forEach
+    const VerticesView vertices{crossed_.span(), first_.span()};
+    forEach(crossed_.size(), ListEdges{vertices, edges_.span()});
+    forEachTeam
     (
-        count,
-        MoveToDividingSurface
+        vertices_.size(),
+        PlaceVertices
         {
-            phi, wide, planeMoments(kernel_), planeMoments(wideKernel_), chord, normals_.span(), vertices_.span()
+            blocks_.view(), value_.span(), {kernel_, volume_, grid_.view(), particles_.span()}, wideKernel_, wideVolume_,
+            moments_, wideMoments_, meanSquares / 24 * blocks_.view().cell * blocks_.view().cell,
+            edges_.span(), vertices_.span(), normals_.span()
         }
     );
-}
-
-void LiquidSurface::placeTriangles()
-{
-    const NodeField field{blocks_.view(), value_.span()};
-    flags_.resizeDiscarding(value_.size());
-    forEach(value_.size(), CountTriangles{field, table_.span(), flags_.span()});
-    triangles_.resizeDiscarding(3 * int(exclusiveScan(flags_, firstTriangle_, "triangles of the surface")));
-    forEach
+    forEachTeam
     (
-        value_.size(),
-        StoreTriangles{field, table_.span(), firstTriangle_.span(), firstVertex_.span(), triangles_.span()}
+        inside_.size(), StoreTriangles{{blocks_.view(), inside_.span()}, vertices, table_.span(), triangles_.span()}
     );
 }
 

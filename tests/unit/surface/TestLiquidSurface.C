@@ -18,9 +18,16 @@ namespace
 
 constexpr SurfaceParameters parameters{.spacing = 1, .cell = 0.5f, .support = 2};
 
+SurfaceMesh extract(LiquidSurface& surface, const std::vector<Vec3>& particles)
+{
+    surface.build(Buffer<Vec3>(particles).span());
+    return surface.download();
+}
+
 TriangleMesh meshOf(const std::vector<Vec3>& particles, const SurfaceParameters& p = parameters)
 {
-    const SurfaceMesh surface = LiquidSurface(p).extract(particles);
+    LiquidSurface mesher(p);
+    const SurfaceMesh surface = extract(mesher, particles);
     TriangleMesh mesh;
     for (const Vec3& v : surface.vertices) mesh.vertices.emplace_back(v.x, v.y, v.z);
     for (const Vec3& n : surface.normals) mesh.normals.emplace_back(n.x, n.y, n.z);
@@ -129,7 +136,7 @@ TEST(LiquidSurface, TakesMemoryForTheLiquidAlone)
         balls.insert(balls.end(), other.begin(), other.end());
         LiquidSurface surface(parameters);
         const std::size_t before = deviceCounters().bytes;
-        EXPECT_GT(surface.extract(balls).triangles.size(), 0u);
+        EXPECT_GT(extract(surface, balls).triangles.size(), 0u);
         return deviceCounters().bytes - before;
     };
     bytesOf(16);                                // what sorting keeps for itself on a GPU is there from now on
@@ -140,9 +147,10 @@ TEST(LiquidSurface, TakesMemoryForTheLiquidAlone)
 TEST(LiquidSurface, DoesNotDependOnWhatWasMeshedBefore)
 {
     LiquidSurface surface(parameters);
-    surface.extract(latticeBall(9));
-    const SurfaceMesh again = surface.extract(latticeBall(5, {2, 3, 4}));
-    const SurfaceMesh fresh = LiquidSurface(parameters).extract(latticeBall(5, {2, 3, 4}));
+    extract(surface, latticeBall(9));
+    const SurfaceMesh again = extract(surface, latticeBall(5, {2, 3, 4}));
+    LiquidSurface other(parameters);
+    const SurfaceMesh fresh = extract(other, latticeBall(5, {2, 3, 4}));
     EXPECT_EQ(again.triangles, fresh.triangles);
     ASSERT_EQ(again.vertices.size(), fresh.vertices.size());
     for (std::size_t v = 0; v < fresh.vertices.size(); ++v)
@@ -159,7 +167,7 @@ TEST(LiquidSurface, KnowsItsVolumeWithoutTheHost)
     for (const Vec3 centre : {Vec3{0, 0, 0}, Vec3{40, -3, 7}})
     {
         const auto ball = latticeBall(6, centre);
-        surface.extract(ball);
+        extract(surface, ball);
         EXPECT_NEAR(surface.volume() / meshOf(ball).volume(), 1, 1e-12);
     }
     surface.build({});
@@ -169,8 +177,49 @@ TEST(LiquidSurface, KnowsItsVolumeWithoutTheHost)
 
 TEST(LiquidSurface, RefusesParticlesThatFlewAway)
 {
-    const auto message = messageOf<FatalError>([] { LiquidSurface(parameters).extract({{0, 0, 0}, {0, 1e8f, 0}}); });
+    const auto message = messageOf<FatalError>([]
+    {
+        LiquidSurface surface(parameters);
+        extract(surface, {{0, 0, 0}, {0, 1e8f, 0}});
+    });
     EXPECT_TRUE(holds(message, {"200000000 cells away", "flew away"})) << message;
+}
+
+// Spray of single particles, each with blocks of its own, more than the map has room for at first.
+TEST(LiquidSurface, FindsRoomForSpray)
+{
+    const SurfaceParameters fine{.spacing = 1, .cell = 0.2f, .support = 1.5f};
+    const double alone = meshOf({{0.1f, 0.1f, 0.1f}}, fine).volume();
+    const auto spray = latticeBlock(9, 9, 9, 8, {0.1f, 0.1f, 0.1f});       // whole numbers of cells apart
+    const TriangleMesh mesh = meshOf(spray, fine);
+    expectSurface(mesh);
+    EXPECT_EQ(connectedComponents(mesh).size(), spray.size());
+    EXPECT_NEAR(mesh.volume() / double(spray.size()) / alone, 1, 1e-4);
+}
+
+// Deep in the liquid not every node is summed up. The smallest voids that the level knows, of a particle and its six neighbours, are
+// found wherever they stand against the nodes, and are those of slightly larger cells, of which every node is.
+TEST(LiquidSurface, FindsVoidsInTheDeep)
+{
+    for (int k = 0; k < 8; ++k)
+    {
+        const Vec3 from{-7 + 0.25f * float(k), -7 + 0.125f * float(k), -7 + 0.5f * float(k % 3)};
+        std::vector<Vec3> body = latticeBlock(15, 15, 15, 1, from);
+        std::erase_if(body, [&](Vec3 p) { return norm(p - from - Vec3{7, 7, 7}) < 1.1f; });
+        const auto voidOf = [&](float cell)
+        {
+            const TriangleMesh mesh = meshOf(body, {.spacing = 1, .cell = cell, .support = 2});
+            expectSurface(mesh);
+            const auto pieces = connectedComponents(mesh);
+            EXPECT_EQ(pieces.size(), 2u) << k;
+            double least = 0;
+            for (const auto& piece : pieces) least = std::min(least, piece.volume());
+            return -least;
+        };
+        const double hollow = voidOf(0.5f);
+        EXPECT_GT(hollow, 0.5) << k;
+        EXPECT_NEAR(hollow / voidOf(0.501f), 1, 0.1) << k;      // few cells across
+    }
 }
 
 TEST(LiquidSurface, HasUnitNormalsOutwards)
@@ -235,7 +284,8 @@ TEST(LiquidSurface, LiesHalfASpacingOutsideOfALayer)
 TEST(LiquidSurface, OfNothingIsEmpty)
 {
     const long before = deviceCounters().launches;
-    const SurfaceMesh mesh = LiquidSurface(parameters).extract(std::vector<Vec3>{});
+    LiquidSurface surface(parameters);
+    const SurfaceMesh mesh = extract(surface, {});
     EXPECT_TRUE(mesh.vertices.empty());
     EXPECT_TRUE(mesh.triangles.empty());
     EXPECT_EQ(deviceCounters().launches, before);
