@@ -51,7 +51,7 @@ struct RaisePressure
     FreeSurfaceView surface;
     HalfSpaceView plane;
     Span<float> density, pressure, increase;
-    Span<Vec3> order;                       // dt^2/rho0 e
+    Span<Vec3> push, order;                 // dt^2/rho0 (2 dp grad(walls) + e), dt^2/rho0 e; order may be empty
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
@@ -69,7 +69,9 @@ struct RaisePressure
 
         const Vec3 inward = surface.gradient[i];
         const Vec3 disorder = gradient - gas.gradient / fmaxf(norm(inward), 1e-20f) * inward;
-        order[i] = 2 * increase[i] * ((pressure[i] < 0 ? -ordering : ordering) - 1) * disorder;
+        const Vec3 e = 2 * increase[i] * ((pressure[i] < 0 ? -ordering : ordering) - 1) * disorder;
+        push[i] = 2 * increase[i] * wall.gradient + e;
+        if (order.size > 0) order[i] = e;
     }
 };
 
@@ -80,10 +82,8 @@ struct Displace
     float volume;
     Span<const Vec3> x;
     NeighbourView near;
-    WallCompletion walls;
-    Span<const ContactLine> contact;
     Span<const float> increase;
-    Span<const Vec3> order;
+    Span<const Vec3> push;
     Span<Vec3> corrected;
 
     HOST_DEVICE void operator()(int i, Team team) const
@@ -93,7 +93,7 @@ struct Displace
         Team::Vector sum;
         near.forEach(i, xi, x, [&](auto j, auto r) { sum += (increase[j] + own) * W.g(norm(r)) * r; }, team);
         const Vec3 step = volume * team.sum(sum);
-        if (team.first()) corrected[i] = xi - step - 2 * own * walls(i, xi, contact[i]).gradient - order[i];
+        if (team.first()) corrected[i] = xi - step - push[i];
     }
 };
 
@@ -139,7 +139,8 @@ public:
             extended_.emplace(liquid.kernel(), smallest, largest);
         }
         increase_.resizeDiscarding(liquid.all());
-        order_.resizeDiscarding(liquid.owned());
+        push_.resizeDiscarding(liquid.owned());
+        order_.resizeDiscarding(walls.held().all() ? 0 : liquid.owned());
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -150,7 +151,8 @@ public:
                     W, V, V / liquid.latticeSum(), controls_.relaxation, controls_.epsilon,
                     dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
                     {extended_->view(), W.h, walls.view()}, surface_.view(), {plane_.span(), W.h},
-                    liquid.density.span(), pressure_.span(), increase_.span(), order_.span()
+                    liquid.density.span(), pressure_.span(), increase_.span(), push_.span(),
+                    order_.span()
                 });
             },
             liquid.kernel()
@@ -159,7 +161,7 @@ public:
         return compression_(liquid) > controls_.tolerance;
     }
 
-    void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    void correct(Liquid& liquid, const Neighbourhood& near, const Walls&) override
     {
         ++iterations_;
         corrected_.resizeDiscarding(liquid.all());
@@ -169,20 +171,20 @@ public:
             {
                 forEachTeam(liquid.owned(), Displace<Kernel>
                 {
-                    W, liquid.particleVolume(), liquid.predicted.span(), near.view(),
-                    {extended_->view(), W.h, walls.view()}, surface_.view().contact, increase_.span(), order_.span(),
+                    W, liquid.particleVolume(), liquid.predicted.span(), near.view(), increase_.span(), push_.span(),
                     corrected_.span()
                 });
             },
             liquid.kernel()
         );
-        ordered_.add(liquid.owned(), order_);
+        if (order_.size() > 0) ordered_.add(liquid.owned(), order_);
         liquid.predicted.swap(corrected_);
     }
 
     // The particles have their new positions and velocities.
     void correctVelocities(Liquid& liquid, const Neighbourhood&, const Walls& walls) override
     {
+        if (order_.size() == 0) return;
         const Vec3 back = walls.held().freePart(ordered_.takeMean(liquid.owned()));
         forEach(liquid.owned(), Shift{back, 1 / dt_, liquid.position.span(), liquid.velocity.span()});
     }
@@ -199,7 +201,7 @@ private:
     int iterations_ = 0;
     std::optional<ExtendedLiquid> extended_;
     Buffer<float> increase_;
-    Buffer<Vec3> order_, corrected_;
+    Buffer<Vec3> push_, order_, corrected_;     // order_: empty where walls hold in all directions
     Resultant ordered_;
     AverageCompression compression_;
 };
