@@ -31,9 +31,11 @@ struct Search
     }
 };
 
+// Rows for each group's longest list; none where it has room.
 struct LongestOfGroup
 {
     Span<const std::uint32_t> count;
+    std::uint32_t room;                     // rows
     Span<std::uint32_t> length;
 
     HOST_DEVICE void operator()(int group) const
@@ -45,34 +47,61 @@ struct LongestOfGroup
             if (i < count.size && count[i] > longest) longest = count[i];
         }
         constexpr std::uint32_t batch = device::batch;
-        length[group] = (longest + batch - 1) / batch * batch;
+        length[group] = longest > room ? (longest + batch - 1) / batch * batch : 0;
     }
 };
 
 #ifdef __CUDACC__
 
-struct CountNeighbours
+// Counts each particle's neighbours, and stores those that its group's room holds.
+struct FindNeighbours
 {
     Search search;
-    Span<std::uint32_t> count;
-
-    HOST_DEVICE void operator()(int i, Team team) const
-    {
-        int n = 0;
-        search.forEachTurn(i, team, [&](int, bool isNear) { n += team.place(isNear).all; });
-        if (team.first()) count[i] = std::uint32_t(n);
-    }
-};
-
-struct StoreNeighbours
-{
-    Search search;
-    Span<const std::uint32_t> start;
+    int room;                               // rows
+    Span<std::uint32_t> count, start;
     Span<NeighbourRow> rows;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         constexpr int s = device::interleave;
+        NeighbourRow* const free = rows.data + std::size_t(i / s) * room;
+        int n = 0;
+        search.forEachTurn(i, team, [&](int j, bool isNear)
+        {
+            const Team::Place place = team.place(isNear);
+            if (isNear && n + place.before < room) free[n + place.before].of[i % s] = std::uint32_t(j);
+            n += place.all;
+        });
+        if (!team.first()) return;
+        count[i] = std::uint32_t(n);
+        if (i % s == 0) start[i / s] = std::uint32_t(i / s) * std::uint32_t(room);
+    }
+};
+
+// The groups for which their room is too small get rows behind all rooms.
+struct PlaceLongGroup
+{
+    std::uint32_t behind;
+    Span<const std::uint32_t> length, before;
+    Span<std::uint32_t> start;
+
+    HOST_DEVICE void operator()(int group) const
+    {
+        if (length[group] > 0) start[group] = behind + before[group];
+    }
+};
+
+// Their lists.
+struct StoreNeighbours
+{
+    Search search;
+    Span<const std::uint32_t> length, start;
+    Span<NeighbourRow> rows;
+
+    HOST_DEVICE void operator()(int i, Team team) const
+    {
+        constexpr int s = device::interleave;
+        if (length[i / s] == 0) return;
         NeighbourRow* free = rows.data + start[i / s];
         search.forEachTurn(i, team, [&](int j, bool isNear)
         {
@@ -139,16 +168,29 @@ void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, 
     count_.resizeDiscarding(n);
     groupLength_.resizeDiscarding(groups);
 #ifdef __CUDACC__
-    forEachTeam(n, CountNeighbours{search, count_.span()});
+    start_.resizeDiscarding(groups);
+    const auto find = [&](int rows)
+    {
+        if (rows_.size() < rows)
+        {
+            rows_ = {};
+            rows_.resize(rows);
+        }
+        forEachTeam(n, FindNeighbours{search, room_, count_.span(), start_.span(), rows_.span()});
+    };
+    const int inRooms = groups * room_;
+    find(inRooms);
+    forEach(groups, LongestOfGroup{count_.span(), std::uint32_t(room_), groupLength_.span()});
+    const int behind = int(exclusiveScan(groupLength_, before_, "rows of neighbours"));
+    if (behind == 0) return;
+    if (rows_.size() - inRooms < behind) find(inRooms + behind + behind / 4);
+    forEach(groups, PlaceLongGroup{std::uint32_t(inRooms), groupLength_.span(), before_.span(), start_.span()});
+    forEachTeam(n, StoreNeighbours{search, groupLength_.span(), start_.span(), rows_.span()});
 #else
     parts_.resize((n + partSize - 1) / partSize);
     forEach(int(parts_.size()), FindNeighbours{search, count_.span(), parts_.data()});
-#endif
-    forEach(groups, LongestOfGroup{count_.span(), groupLength_.span()});
+    forEach(groups, LongestOfGroup{count_.span(), 0, groupLength_.span()});
     rows_.resizeDiscarding(int(exclusiveScan(groupLength_, start_, "rows of neighbours")));
-#ifdef __CUDACC__
-    forEachTeam(n, StoreNeighbours{search, start_.span(), rows_.span()});
-#else
     forEach(int(parts_.size()), CopyLists{parts_.data(), start_.span(), rows_.span()});
 #endif
 }

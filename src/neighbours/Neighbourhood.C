@@ -5,7 +5,23 @@
 namespace shizuku
 {
 
-Neighbourhood::Neighbourhood(const Liquid& liquid) : grid_(liquid.support()), list_(liquid.support()) {}
+namespace
+{
+
+// A fifth more than the particles of a full neighbourhood.
+int usualNeighbours(const Liquid& liquid)
+{
+    const float supports = liquid.support() / liquid.spacing();
+    return int(1.2f * 4.18879f * supports * supports * supports);
+}
+
+}
+
+Neighbourhood::Neighbourhood(const Liquid& liquid)
+:
+    grid_(liquid.support()),
+    list_(liquid.support(), usualNeighbours(liquid))
+{}
 
 void Neighbourhood::update(Liquid& liquid, float wideSupport)
 {

@@ -24,7 +24,8 @@ constexpr float support = 1.3f;
 // Sorts `sources` by cell as every caller does, and lists their neighbours by the numbers they had before.
 std::vector<std::vector<int>> neighboursOf
 (
-    const std::vector<Vec3>& points, const std::vector<Vec3>& sources, bool sameSet, float cellSize = support
+    const std::vector<Vec3>& points, const std::vector<Vec3>& sources, bool sameSet, NeighbourList& list,
+    float cellSize = support
 )
 {
     const Buffer<Vec3> unsorted(sources);
@@ -35,13 +36,21 @@ std::vector<std::vector<int>> neighboursOf
     Buffer<Vec3> targets(points);
     if (sameSet) gather(unsorted, Buffer<std::uint32_t>(order), targets);
 
-    NeighbourList list(support);
     list.build(targets.span(), targets.size(), grid, sorted.span(), sameSet);
 
     if (sameSet) return listsOf(list.view(), order, order);
     std::vector<std::uint32_t> unchanged(points.size());
     std::iota(unchanged.begin(), unchanged.end(), 0u);
     return listsOf(list.view(), unchanged, order);
+}
+
+std::vector<std::vector<int>> neighboursOf
+(
+    const std::vector<Vec3>& points, const std::vector<Vec3>& sources, bool sameSet, float cellSize = support
+)
+{
+    NeighbourList list(support);
+    return neighboursOf(points, sources, sameSet, list, cellSize);
 }
 
 void expectAllPairs(const std::vector<Vec3>& points, float cellSize = support)
@@ -147,6 +156,22 @@ TEST(NeighbourList, FindsAllPairsInGridsOfSmallerCells)
              latticeBlock(12, 12, 12, support / cells, {-3 * support, -3 * support, -3 * support})})
         {
             expectAllPairs(points, support / cells);
+        }
+    }
+}
+
+// Lists that fit into their groups' rooms beside some that do not; more of these, and fewer, in one list after another.
+TEST(NeighbourList, StoresListsThatFindNoRoom)
+{
+    auto few = randomPoints(600, {0, 0, 0}, {8, 8, 8}), many = few;
+    const auto cluster = randomPoints(300, {3, 3, 3}, {5, 6, 5});
+    many.insert(many.end(), cluster.begin(), cluster.end());
+    for (const int room : {1, 12, 400})
+    {
+        NeighbourList list(support, room);
+        for (const auto* points : {&few, &many, &few})
+        {
+            EXPECT_TRUE(agreesWithAllPairs(neighboursOf(*points, *points, true, list), *points, *points, support, true));
         }
     }
 }
