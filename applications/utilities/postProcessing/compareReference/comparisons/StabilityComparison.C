@@ -8,12 +8,14 @@
 //     volume of the particles, as rule `volume` has it
 //     contact angle of the largest drop that probeAngle found (0 for a film, 180 off the wall) against theta [degrees]; nan
 //     where it found none
+//     height of that drop over R, against the profile of Bashforth and Adams of its volume
 // Numbers that cannot be had are nan.
 
 #include "Comparison.H"
 #include "core/fieldFile/FieldFile.H"
 #include "geometry/NearestPoint.H"
 #include "geometry/WallShape.H"
+#include "reference/BashforthAdams.H"
 
 #include <algorithm>
 #include <cmath>
@@ -67,19 +69,33 @@ double rmsSpeed(const CsvTable& states, double mass)
     return sum/double(count);
 }
 
-double largestDropsAngle(const CaseResults& results)
+struct MeasuredDrop
 {
-    if (!std::filesystem::exists(results.casePath()/"postProcessing/probeAngle")) return none;
+    double angle = none, height = none;     // degrees, m
+};
+
+MeasuredDrop largestDrop(const CaseResults& results)
+{
+    if (!std::filesystem::exists(results.casePath()/"postProcessing/probeAngle")) return {};
     const CsvTable drops = results.table("probeAngle", "angle.csv");
-    double angle = none, largest = 0;
+    MeasuredDrop drop;
+    double largest = 0;
     for (std::size_t row = 0; row < drops.rows(); ++row)
     {
         if (drops.text(row, "time") != drops.text(drops.rows() - 1, "time") || drops.number(row, "volume") <= largest) continue;
         const std::string state = drops.text(row, "state");
         largest = drops.number(row, "volume");
-        angle = state == "film" ? 0 : state == "detached" ? 180 : drops.number(row, "angle");
+        drop = {state == "film" ? 0 : state == "detached" ? 180 : drops.number(row, "angle"), drops.number(row, "height")};
     }
-    return angle;
+    return drop;
+}
+
+// m; of the drop at rest.
+double heightOf(const CaseResults& results, double theta)
+{
+    if (theta == 0 || results.sigma == 0) return none;
+    const double l = results.gravity > 0 ? std::sqrt(results.sigma/(results.rho*results.gravity)) : HUGE_VAL;
+    return bashforthAdamsOfVolume(results.liquidVolume(), l, theta).height();
 }
 
 }
@@ -112,7 +128,11 @@ public:
                 "volume of the particles", "m3", results.liquidVolume(), states.number(states.rows() - 1, "volume"), none
             )
         };
-        if (!std::isnan(theta_)) rows.push_back(absoluteRow("contact angle", "deg", theta_, largestDropsAngle(results), none));
+        if (std::isnan(theta_)) return rows;
+        const MeasuredDrop drop = largestDrop(results);
+        const double R = results.radius();
+        rows.push_back(absoluteRow("contact angle", "deg", theta_, drop.angle, none));
+        rows.push_back(absoluteRow("height over R", "", heightOf(results, theta_)/R, drop.height/R, none));
         return rows;
     }
 
