@@ -82,14 +82,40 @@ struct VirtualVolume
     }
 };
 
+// Of each cell of the solid particles' grid: whether any of them may be within reach of a place in it. Walls stay where they are:
+// found once.
+struct FindAround
+{
+    CellGridView grid;
+    int cells;                              // that a search reaches, to either side
+    Span<std::uint8_t> around;
+
+    HOST_DEVICE void operator()(int cell) const
+    {
+        const int x = cell & ((1 << grid.bitsX) - 1), y = cell >> grid.bitsX & ((1 << grid.bitsY) - 1);
+        const int z = cell >> (grid.bitsX + grid.bitsY);
+        bool any = false;
+        for (int k = z - cells; k <= z + cells && !any; ++k)
+            for (int j = y - cells; j <= y + cells && !any; ++j)
+                for (int i = x - cells; i <= x + cells && !any; ++i)
+                {
+                    const int key = int(grid.key(i, j, k));
+                    any = grid.start[key + 1] > grid.start[key];
+                }
+        around[cell] = any;
+    }
+};
+
 // The tangent plane of the layer near a liquid particle: the mean over the solid particles that are hardly farther than
 // the nearest one, weighted by (1 - (r^2 - r_min^2)/(2d)^2)^2. With n the direction of their mean normal the height above
 // the layer is H = <(n_k + n).r_k>/<1 + n_k.n>, exact before planes and spheres: there r_k = (R + H) e - R n_k. The layer lies
 // half a spacing inside the solid. Beside the border of a layer there is no wall.
 struct FitPlane
 {
-    float spacing;
+    float spacing, listed, reach;           // listed: up to which distance the lists know
     Span<const Vec3> x;
+    CellGridView grid;                      // of the solid particles
+    Span<const std::uint8_t> around;        // FindAround
     WallParticlesView solid;
     Span<Vec3> normal;
     Span<float> offset, cosTheta;
@@ -97,23 +123,33 @@ struct FitPlane
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 xi = x[i];
-        float nearest = 1e30f;
-        solid.near.forEach(i, [&](int k) { nearest = fminf(nearest, squared(xi - solid.position[k])); }, team);
+        const float most = reach * reach;
+        float nearest = most;
+        const auto come = [&](int k) { nearest = fminf(nearest, squared(xi - solid.position[k])); };
+        solid.near.forEach(i, come, team);
         nearest = team.min(nearest);
+        if (nearest == most && around[int(grid.key(xi))])
+        {
+            grid.forEachCandidate(xi, reach, come, team);
+            nearest = team.min(nearest);
+        }
         Vec3 direction, from;
         float along = 0, cosine = 0, total = 0;
-        solid.near.forEach(i, [&](int k)
+        const auto add = [&](int k)
         {
             const Vec3 r = xi - solid.position[k];
             const float w = 1 - (squared(r) - nearest) / (4 * spacing * spacing);
-            if (w <= 0) return;
+            if (w <= 0 || squared(r) >= most) return;
             const float weight = w * w;
             total += weight;
             direction += weight * solid.normal[k];
             from += weight * r;
             along += weight * dot(solid.normal[k], r);
             cosine += weight * (solid.cosTheta.size > 0 ? solid.cosTheta[k] : 0);
-        }, team);
+        };
+        const float within = nearest + 4 * spacing * spacing;
+        if (within <= listed * listed) solid.near.forEach(i, add, team);
+        else if (nearest < most) grid.forEachCandidate(xi, sqrtf(fminf(within, most)), add, team);
         total = team.sum(total);
         direction = team.sum(direction);
         from = team.sum(from);
@@ -135,37 +171,40 @@ struct FitPlane
     }
 };
 
-struct KeepOutside
-{
-    WallView walls;
-    float closest;
-    Span<Vec3> predicted;
-
-    HOST_DEVICE void operator()(int i) const
-    {
-        walls.forEachContact(i, predicted[i], closest, [&](int, const WallContact& contact)
-        {
-            predicted[i] += (closest - contact.distance) * contact.normal;
-        });
-    }
-};
-
+// Where surfaces and tangent planes let the liquid be; then where layers of solid particles do.
+//
 // The layer's height below a liquid particle is the average over the solid particles around it, r.n weighted by distance
 // (B. Adams and M. Wicke, Eurographics tutorial 2009). Where their normals cancel, in a plate as thin as the layer itself,
 // no side is the inner one; where none of them is below the particle, it is beside the layer's border. No more is taken back
 // than this step came nearer: around sharp edges the average height jumps, and what followed it would gain speed.
-struct KeepBeforeLayer
+struct KeepOutside
 {
-    WallParticlesView wall;
+    WallView walls;
     float support, spacing;
     Span<const Vec3> position;
     Span<Vec3> predicted;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const Vec3 x = predicted[i];
+        const Vec3 before = predicted[i];
+        const float closest = 0.5f * spacing;
+        Vec3 x = before;
+        bool moved = false;
+        walls.forEachContact(i, before, closest, [&](int, const WallContact& contact)
+        {
+            x += (closest - contact.distance) * contact.normal;
+            moved = true;
+        });
+        const Vec3 back = fromLayer(i, x, moved, team);
+        if (moved && team.first()) predicted[i] = x + back;
+    }
+
+    // How far the particle at x has to go; sets `moved` where it has to.
+    HOST_DEVICE Vec3 fromLayer(int i, Vec3 x, bool& moved, Team team) const
+    {
         float weights = 0, height = 0, aside = spacing * spacing;
         Vec3 normal;
+        const WallParticlesView& wall = walls.particles;
         wall.near.forEach(i, [&](int k)
         {
             const Vec3 r = x - wall.position[k], n = wall.normal[k];
@@ -181,12 +220,12 @@ struct KeepBeforeLayer
         weights = team.sum(weights);
         height = team.sum(height);
         normal = team.sum(normal);
-        if (!team.first()) return;
-        if (aside >= spacing * spacing) return;
+        if (aside >= spacing * spacing) return {};
         const float lacking = 0.25f * spacing - height / weights, agreement = norm(normal) / weights;
-        if (lacking <= 0 || agreement < 0.5f) return;
+        if (lacking <= 0 || agreement < 0.5f) return {};
         const Vec3 outwards = (1 / norm(normal)) * normal;
-        predicted[i] += fminf(lacking, fmaxf(0, dot(position[i] - x, outwards))) * outwards;
+        moved = true;
+        return fminf(lacking, fmaxf(0, dot(position[i] - x, outwards))) * outwards;
     }
 };
 
@@ -284,29 +323,38 @@ void Walls::readParticles(const Liquid& liquid)
     std::vector<std::uint32_t> order(solid_.all());
     std::iota(order.begin(), order.end(), 0u);
     order_.upload(order);
-    sortParticles(liquid.support());
+    sortParticles(liquid, liquid.support(), liquid.support());
     computeVirtualVolumes(liquid);
 }
 
-// Into cells that a search within `support` needs.
-void Walls::sortParticles(float support)
+void Walls::sortParticles(const Liquid& liquid, float support, float reach)
 {
-    grid_.emplace(support);
-    near_.emplace(support);
+    // A search reaches two cells at most, a little less than that.
+    const float cell = std::max(support, 0.501f * reach);
+    grid_.emplace(cell, reach);
+    // Rows for a fifth more than what a flat layer, a triangular lattice, has within the support.
+    const float supports = support / liquid.spacing();
+    near_.emplace(support, int(1.2f * 3.63f * supports * supports));
+    reach_ = reach;
     const Buffer<std::uint32_t>& order = grid_->build(position_->span(), solid_.all());
     solid_.fields().reorder(order);
     std::vector<std::uint32_t> now = order.download();
     const auto before = order_.download();
     for (std::uint32_t& k : now) k = before[k];
     order_.upload(now);
+    const CellGridView view = grid_->view();
+    around_.resizeDiscarding(view.start.size - 1);
+    forEach(around_.size(), FindAround{view, reach > cell ? 2 : 1, around_.span()});
 }
 
 void Walls::requireContacts(const Liquid& liquid, float reach)
 {
     contacts_ = true;
     // From the layer, half a spacing inside of the solid, with room for the patch that gives the plane.
-    const float support = reach + 1.5f * liquid.spacing();
-    if (solid_.all() > 0 && support > near_->support()) sortParticles(support);
+    const float wanted = reach + 1.5f * liquid.spacing();
+    // Particles move, by less than half a spacing, after the lists are made.
+    const float support = liquid.support() + 0.5f * liquid.spacing();
+    if (solid_.all() > 0 && wanted > reach_) sortParticles(liquid, support, wanted);
 }
 
 std::pair<double, double> Walls::contactAngles(float reach) const
@@ -414,28 +462,19 @@ void Walls::update(const Liquid& liquid)
     planeCosTheta_.resizeDiscarding(liquid.all());
     forEachTeam(liquid.owned(), FitPlane
     {
-        liquid.spacing(), liquid.predicted.span(), view().particles, planeNormal_.span(), planeOffset_.span(),
-        planeCosTheta_.span()
+        liquid.spacing(), near_->support(), reach_, liquid.predicted.span(), grid_->view(), around_.span(),
+        view().particles, planeNormal_.span(), planeOffset_.span(), planeCosTheta_.span()
     });
 }
 
 void Walls::project(Liquid& liquid) const
 {
-    if (surfaces_.count > 0 || (contacts_ && solid_.all() > 0))
-    {
-        forEach(liquid.owned(), KeepOutside{view(), 0.5f * liquid.spacing(), liquid.predicted.span()});
-    }
-    if (solid_.all() > 0)
-    {
-        forEachTeam
-        (
-            liquid.owned(),
-            KeepBeforeLayer
-            {
-                view().particles, liquid.support(), liquid.spacing(), liquid.position.span(), liquid.predicted.span()
-            }
-        );
-    }
+    if (surfaces_.count == 0 && solid_.all() == 0) return;
+    forEachTeam
+    (
+        liquid.owned(),
+        KeepOutside{view(), liquid.support(), liquid.spacing(), liquid.position.span(), liquid.predicted.span()}
+    );
 }
 
 void Walls::refuseLiquidInside(const Liquid& liquid) const
