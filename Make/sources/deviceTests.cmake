@@ -4,6 +4,7 @@ set(SHIZUKU_DEVICE_TESTS
     device/TestBuffer.C
     device/TestForEach.C
     device/TestProfile.C
+    device/TestReadback.C
     device/TestReduce.C
     freeSurface/TestExtendedLiquid.C
     freeSurface/TestFreeSurface.C

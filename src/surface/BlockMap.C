@@ -6,7 +6,6 @@
 #include "device/ForEach.H"
 #include "device/Reduce.H"
 
-#include <algorithm>
 #include <string>
 
 namespace shizuku
@@ -97,51 +96,54 @@ struct FindNext
 
 BlockMap::BlockMap(float cell, float reach)
 :
-    cell_(cell), reach_(fminf(reach, BlockMapView::edge * cell)), counts_(counts)
+    cell_(cell), reach_(fminf(reach, BlockMapView::edge * cell)),
+    farthest_(cell * BlockMapView::edge * (BlockMapView::farthest - 2)), counts_(counts)
 {}
 
-void BlockMap::refuseFarParticles(Span<const Vec3> positions, float most)
+void BlockMap::refuseFarParticles(Span<const Vec3> positions)
 {
     const float farthest = reduce(positions.size, FarthestOfParticle{positions}, scratch_).coordinate;
     throw FatalError
     (
         "A particle is " + std::to_string(long(farthest / cell_)) + " cells away from the origin, more than "
-      + std::to_string(long(most / cell_))
+      + std::to_string(long(farthest_ / cell_))
       + ".\n    Look for particles that flew away, or use larger cells in system/meshSurfaceDict."
     );
 }
 
-// How many there are; they stand in keys_, in no order.
-int BlockMap::collectKeys(Span<const Vec3> positions)
+void BlockMap::collect(Span<const Vec3> positions)
 {
-    constexpr int leastBits = 12;
-    const float most = cell_ * BlockMapView::edge * (BlockMapView::farthest - 2);
     // Full blocks of cells of half a spacing hold 64 particles, and half of the places shall stay free.
-    int bits = leastBits;
-    while (1 << bits < std::max(positions.size / 8, table_.size())) ++bits;
-    for (;; bits += 2)
-    {
-        if (bits > 30) throw FatalError("The liquid is spread over too many blocks of nodes: use larger cells in system/meshSurfaceDict.");
-        table_.resizeDiscarding(1 << bits);
-        keys_.resizeDiscarding(1 << (bits - 1));
-        device::setBytes(table_.span().data, 0xff, std::size_t(table_.size()) * sizeof(std::uint64_t));
-        counts_.setZero();
-        forEach
-        (
-            positions.size,
-            CollectKeys{view(), reach_, most, positions, table_.span(), bits, keys_.span(), counts_.span()}
-        );
-        std::uint32_t count[counts];
-        counts_.download(count, counts);
-        if (count[farParticles] > 0) refuseFarParticles(positions, most);
-        if (count[misses] == 0) return int(count[stored]);
-    }
+    while (1 << bits_ < positions.size / 8) ++bits_;
+    collectKeys(positions);
 }
 
-void BlockMap::cover(Span<const Vec3> positions)
+void BlockMap::collectKeys(Span<const Vec3> positions)
 {
-    const int stored = collectKeys(positions);
+    table_.resizeDiscarding(1 << bits_);
+    keys_.resizeDiscarding(1 << (bits_ - 1));
+    device::setBytes(table_.span().data, 0xff, std::size_t(table_.size()) * sizeof(std::uint64_t));
+    counts_.setZero();
+    forEach
+    (
+        positions.size,
+        CollectKeys{view(), reach_, farthest_, positions, table_.span(), bits_, keys_.span(), counts_.span()}
+    );
+    readCounts_.ask(counts_);
+}
+
+void BlockMap::store(Span<const Vec3> positions)
+{
+    const std::uint32_t* count = readCounts_.wait();
+    if (count[farParticles] > 0) refuseFarParticles(positions);
+    for (; count[misses] > 0; count = readCounts_.wait())
+    {
+        bits_ += 2;
+        if (bits_ > 30) throw FatalError("The liquid is spread over too many blocks of nodes: use larger cells in system/meshSurfaceDict.");
+        collectKeys(positions);
+    }
     constexpr int most = 0x7fffffff / (3 * BlockMapView::nodes);
+    const int stored = int(count[Count::stored]);
     if (stored > most)
     {
         throw FatalError

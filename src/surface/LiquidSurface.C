@@ -311,8 +311,9 @@ void LiquidSurface::build(Span<const Vec3> positions)
     triangles_.resizeDiscarding(0);
     if (positions.size == 0) return;
 
-    blocks_.cover(positions);
+    blocks_.collect(positions);
     gather(positions, grid_.build(positions, positions.size), particles_);
+    blocks_.store(positions);
     evaluateNodes();
     countCrossings();
     placeVertices();

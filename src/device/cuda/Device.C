@@ -2,6 +2,7 @@
 #include "device/Device.H"
 #include "device/Memory.H"
 #include "device/Profile.H"
+#include "device/Readback.H"
 
 #include <cuda_runtime.h>
 
@@ -59,6 +60,29 @@ DeviceCounters& deviceCounters()
 {
     static DeviceCounters counters;
     return counters;
+}
+
+Readback::Readback()
+{
+    cudaEvent_t event;
+    check(cudaEventCreateWithFlags(&event, cudaEventDisableTiming), "cannot create an event");
+    event_ = event;
+}
+
+Readback::~Readback() { cudaEventDestroy(static_cast<cudaEvent_t>(event_)); }
+
+void Readback::ask(const Buffer<std::uint32_t>& words)
+{
+    words_.resizeDiscarding(words.size());
+    const std::size_t bytes = words.size() * sizeof(std::uint32_t);
+    check(cudaMemcpyAsync(words_.data(), words.span().data, bytes, cudaMemcpyDeviceToHost), "copy from the device");
+    check(cudaEventRecord(static_cast<cudaEvent_t>(event_)), "cannot record an event");
+}
+
+const std::uint32_t* Readback::wait()
+{
+    check(cudaEventSynchronize(static_cast<cudaEvent_t>(event_)), "a kernel failed");
+    return words_.data();
 }
 
 namespace device

@@ -2,6 +2,7 @@
 #include "device/Device.H"
 #include "device/Memory.H"
 #include "device/Profile.H"
+#include "device/Readback.H"
 
 #include <omp.h>
 #include <unistd.h>
@@ -44,6 +45,17 @@ DeviceCounters& deviceCounters()
     static DeviceCounters counters;
     return counters;
 }
+
+Readback::Readback() = default;
+Readback::~Readback() = default;
+
+void Readback::ask(const Buffer<std::uint32_t>& words)
+{
+    words_.resizeDiscarding(words.size());
+    words.download(words_.data(), words.size());
+}
+
+const std::uint32_t* Readback::wait() { return words_.data(); }
 
 namespace device
 {

@@ -54,6 +54,11 @@ TEST(Volume, IsTheMeshsAndTheParticles)
     EXPECT_NEAR(flow.value(table, "volume"), particles, 0.04*particles);
     EXPECT_NEAR(flow.value(table, "crowded"), particles, 0.01*particles);       // the rest density, but at the plane's edge
     EXPECT_NEAR(flow.value(table, "drift"), 100*(flow.value(table, "volume")/particles - 1), 1e-4);
+
+    FlowCase less("size { type volume; crowded no; }", onAPlane);
+    less.step(halfBall());
+    EXPECT_TRUE(less.table(table).starts_with("time [s],volume [m3],particleVolume [m3],drift [%]\n"));
+    for (const std::string column : {"volume", "drift"}) EXPECT_EQ(less.value(table, column), flow.value(table, column));
 }
 
 TEST(Energy, IsThatOfTheHalfBall)
