@@ -37,7 +37,7 @@ RunForecast forecastRun
     Neighbourhood near(liquid);
     const float dt = liquid.units().toScaled(forecast.subStep.dt, dimensions::time);
     const auto step = [&] { subStep(liquid, near, walls, models, dt); };
-    secondsOf(step);                // allocates memory and loads code
+    forecast.firstSubStep = secondsOf(step);
     double sum = 0;
     do
     {

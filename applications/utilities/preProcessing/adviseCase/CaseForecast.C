@@ -1,16 +1,55 @@
 #include "CaseForecast.H"
 
+#include "core/arguments/runApplication.H"
+#include "core/fieldFile/AtomicFile.H"
 #include "functionObjects/FunctionObjects.H"
 #include "motion/SpeedMeter.H"
+#include "particles/ParticleFiles.H"
+
+#include <algorithm>
+#include <cmath>
 
 namespace shizuku
 {
 
+namespace
+{
+
+// s, in the whole run. Time goes on as in the solver, so that those are counted that are due then; the liquid stays.
+double secondsOfFunctions(Time& time, FunctionObjects& functions, FlowView& flow, double dt)
+{
+    constexpr double timed = 0.2;
+    const double left = std::max(0.0, time.endTime() - time.value()), begun = clockTime();
+    const double frames = std::ceil(left / time.deltaT() - 1e-9);
+    double seconds = 0;
+    int count = 0;
+    for (; count < frames && seconds < timed; ++count)
+    {
+        time.advance();
+        flow.moved(dt);
+        functions.execute(flow);
+        seconds = clockTime() - begun;
+    }
+    return count > 0 ? seconds * frames / count : 0;
+}
+
+// s, of the particles into a folder of the trial that is no time.
+double secondsOfWriting(const TrialCase& trial, const Time& time, FlowView& flow)
+{
+    const double begun = clockTime();
+    ParticleWriter fields;
+    writeFolderAtomically(trial.path() / "writing", fields.copy(flow.liquid(), flow.liquid().units(), time.format()));
+    return clockTime() - begun;
+}
+
+}
+
 CaseForecast forecastCase(const TrialCase& trial, double measuredFor)
 {
     const std::filesystem::path& casePath = trial.path();
+    const double begun = clockTime();
     deviceCounters().peakBytes = deviceCounters().bytes;        // of this case alone
-    const Time time(casePath);
+    Time time(casePath);
     const Dictionary solution = Dictionary::read(casePath / "system/solution");
     const Dictionary liquidDict = Dictionary::read(casePath / "constant/liquidProperties");
     Liquid liquid(LiquidProperties::read(solution, liquidDict), solution.subDictOrEmpty("kernel"));
@@ -28,10 +67,11 @@ CaseForecast forecastCase(const TrialCase& trial, double measuredFor)
     SpeedMeter meter;
     const double speed = meter.measure(liquid).now;
     const auto limits = control.limits(time.deltaT(), speed, liquid, models);
-    return
-    {
-        forecastRun(time, control, liquid, walls, models, speed, measuredFor), limits, liquid.owned(), walls.particles()
-    };
+    const double ready = clockTime();
+    const RunForecast run = forecastRun(time, control, liquid, walls, models, speed, measuredFor);
+    const double start = ready - begun + std::max(0.0, run.firstSubStep - run.secondsPerSubStep);
+    const double functionsTime = secondsOfFunctions(time, functions, flow, run.subStep.dt);
+    return {run, limits, liquid.owned(), walls.particles(), start, functionsTime, secondsOfWriting(trial, time, flow)};
 }
 
 }

@@ -69,13 +69,15 @@ void reportAdvice(const std::vector<Advice>& advices, bool explain)
 struct Prediction
 {
     CaseForecast forecast;
+    double start;                           // s, until the first sub-step
     std::optional<StoredNumber> secondsPerSubStep, error;
 };
 
-// measure: the time is of this machine, here and now; else of one whose times are stored.
-Prediction predict(const CaseForecast& forecast, const Scene& scene, const DeviceInfo& device, bool measure)
+// opened: s, until the device was there. measure: the time of a sub-step is of this machine, here and now; else of one whose
+// times are stored.
+Prediction predict(const CaseForecast& forecast, double opened, const Scene& scene, const DeviceInfo& device, bool measure)
 {
-    Prediction prediction{forecast, {}, scene.error()};
+    Prediction prediction{forecast, opened + forecast.start, {}, scene.error()};
     std::string name = device.name;
     std::erase(name, ',');              // as the table of times has it
     if (!measure) prediction.secondsPerSubStep = scene.studies->stepTime(device.backend, name, forecast.particles);
@@ -99,7 +101,10 @@ void report(const std::string& what, const Prediction& p)
               << "        time          ";
     if (p.secondsPerSubStep)
     {
-        std::cout << p.secondsPerSubStep->value*run.subSteps << " s (" << p.secondsPerSubStep->source << ")\n";
+        const double loop = p.secondsPerSubStep->value*run.subSteps;
+        std::cout << p.start + loop + p.forecast.functions + p.forecast.writing << " s: start " << p.start << ", steps " << loop
+                  << ", function objects " << p.forecast.functions << ", last writing " << p.forecast.writing << " ("
+                  << p.secondsPerSubStep->source << ")\n";
     }
     else std::cout << "not known: no benchmark of such a device is stored; -measure\n";
     std::cout << "        error         ";
@@ -127,6 +132,7 @@ void adviseCase(const Arguments& args)
     const double tolerance = readTolerance(args);
     const bool measure = args.found("measure");
     const DeviceInfo device = openDevice();
+    const double opened = clockTime();
     std::cout << "Device : " << device.backend << ", " << device.name << "\n\n";
 
     const StoredStudies studies;
@@ -142,7 +148,7 @@ void adviseCase(const Arguments& args)
         std::cout << "The walls are not sampled: what follows of memory and time is without their particles\n";
     }
 
-    const Prediction asItIs = predict(present, scene, device, measure);
+    const Prediction asItIs = predict(present, opened, scene, device, measure);
     const std::vector<Advice> advices = adviseOn(scene);
     reportAdvice(advices, args.found("explain"));
     std::vector<CaseChange> changes;
@@ -156,7 +162,7 @@ void adviseCase(const Arguments& args)
         return;
     }
     const TrialCase advised(args.casePath(), changes);
-    report("as advised", predict(forecastCase(advised, measure ? measuring : 0), scene, device, measure));
+    report("as advised", predict(forecastCase(advised, measure ? measuring : 0), opened, scene, device, measure));
     std::cout << std::endl;
     if (!args.found("apply")) return;
     const auto isSampled = [](const SceneWall& wall) { return wall.type == "particles"; };
