@@ -110,10 +110,10 @@ TEST(ForEach, CountsLaunchesAndMakesNoneOfNothing)
     synchronize();
 }
 
-// Numbers of indices for which a GPU takes teams of eight, of two and of one.
+// Numbers of indices for which a GPU takes teams of 32, 16, eight, two and of one.
 TEST(ForEachTeam, SharesWhatAnIndexHasToVisit)
 {
-    for (const int n : {1, 3, 1000, 200001, 600001})
+    for (const int n : {1, 3, 1000, 6001, 20001, 200001, 600001})
     {
         TurnsTaken turns(n);
         forEachTeam(n, turns.functor());
