@@ -142,7 +142,7 @@ void BlockMap::store(Span<const Vec3> positions)
         if (bits_ > 30) throw FatalError("The liquid is spread over too many blocks of nodes: use larger cells in system/meshSurfaceDict.");
         collectKeys(positions);
     }
-    constexpr int most = 0x7fffffff / (3 * BlockMapView::nodes);
+    constexpr int most = 0xffffffff / (3 * BlockMapView::nodes);        // edges are counted by 32 bits
     const int stored = int(count[Count::stored]);
     if (stored > most)
     {
