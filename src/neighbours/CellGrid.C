@@ -72,15 +72,14 @@ CellGridView CellGrid::view() const
     return {cellSize_, 1 / cellSize_, bitsX_, bitsY_, bitsZ_, start_.span()};
 }
 
-const Buffer<std::uint32_t>& CellGrid::build(Span<const Vec3> positions, int n)
+Buffer<std::uint32_t> CellGrid::build(Span<const Vec3> positions, int n)
 {
     chooseSize(n);
-    keys_.resizeDiscarding(n);
-    order_.resizeDiscarding(n);
-    forEach(n, AssignKeys{view(), positions, keys_.span(), order_.span()});
-    sortByKey(keys_, order_, int(bitsX_ + bitsY_ + bitsZ_));
-    forEach(start_.size(), FindStarts{keys_.span(), start_.span()});
-    return order_;
+    Buffer<std::uint32_t> keys(n), order(n);
+    forEach(n, AssignKeys{view(), positions, keys.span(), order.span()});
+    sortByKey(keys, order, int(bitsX_ + bitsY_ + bitsZ_));
+    forEach(start_.size(), FindStarts{keys.span(), start_.span()});
+    return order;
 }
 
 }

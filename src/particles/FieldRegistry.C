@@ -1,6 +1,6 @@
 #include "particles/FieldRegistry.H"
 
-#include "device/Gather.H"
+#include "device/ForEach.H"
 
 namespace shizuku
 {
@@ -9,11 +9,31 @@ namespace
 {
 
 template<class T>
-void reorderBy(const Buffer<std::uint32_t>& order, Buffer<T>& field, Buffer<T>& scratch)
+struct Move
 {
-    gather(field, order, scratch);
-    field.swap(scratch);
-}
+    const T* from;
+    T* to;
+};
+
+// Several fields at once: on a GPU small ones take no longer than one.
+struct ReorderFields
+{
+    static constexpr int most = 4;          // of each type
+
+    Span<const std::uint32_t> order;
+    Move<float> scalar[most];
+    Move<Vec3> vector[most];
+    Move<std::uint32_t> label[most];
+    int scalars = 0, vectors = 0, labels = 0;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const std::uint32_t j = order[i];
+        for (int k = 0; k < vectors; ++k) vector[k].to[i] = vector[k].from[j];
+        for (int k = 0; k < scalars; ++k) scalar[k].to[i] = scalar[k].from[j];
+        for (int k = 0; k < labels; ++k) label[k].to[i] = label[k].from[j];
+    }
+};
 
 }
 
@@ -40,13 +60,30 @@ void FieldRegistry::resize(int n)
 
 void FieldRegistry::reorder(const Buffer<std::uint32_t>& order)
 {
+    std::vector<AnyBuffer> before;          // what is moved from, as long as it is
+    ReorderFields fields{.order = order.span()};
+    const auto launch = [&]
+    {
+        forEach(order.size(), fields);
+        before.clear();
+        fields.scalars = fields.vectors = fields.labels = 0;
+    };
+    const auto add = [&]<class T>(Buffer<T>& field, Move<T>* moves, int& n)
+    {
+        if (n == ReorderFields::most) launch();
+        Buffer<T> sorted(order.size());
+        moves[n++] = {field.span().data, sorted.span().data};
+        field.swap(sorted);
+        before.emplace_back(std::move(sorted));
+    };
     for (const auto& entry : entries_)
     {
         if (!entry->info.sorted) continue;
-        if (auto* scalars = std::get_if<Buffer<float>>(&entry->values)) reorderBy(order, *scalars, scalarScratch_);
-        if (auto* vectors = std::get_if<Buffer<Vec3>>(&entry->values)) reorderBy(order, *vectors, vectorScratch_);
-        if (auto* labels = std::get_if<Buffer<std::uint32_t>>(&entry->values)) reorderBy(order, *labels, labelScratch_);
+        if (auto* scalars = std::get_if<Buffer<float>>(&entry->values)) add(*scalars, fields.scalar, fields.scalars);
+        if (auto* vectors = std::get_if<Buffer<Vec3>>(&entry->values)) add(*vectors, fields.vector, fields.vectors);
+        if (auto* labels = std::get_if<Buffer<std::uint32_t>>(&entry->values)) add(*labels, fields.label, fields.labels);
     }
+    launch();
 }
 
 }

@@ -23,13 +23,6 @@ void check(cudaError_t status, const std::string& what)
     }
 }
 
-void countAllocation(std::size_t bytes)
-{
-    auto& counters = deviceCounters();
-    counters.bytes += bytes;
-    counters.peakBytes = std::max(counters.peakBytes, counters.bytes);
-}
-
 }
 
 DeviceInfo openDevice()
@@ -120,26 +113,15 @@ void checkLaunch()
     check(cudaGetLastError(), "cannot launch a kernel");
 }
 
-void* allocate(std::size_t bytes)
+void* newBlock(std::size_t bytes) noexcept
 {
     void* memory = nullptr;
-    if (bytes == 0) return memory;
-    check
-    (
-        cudaMalloc(&memory, bytes),
-        "cannot allocate " + std::to_string(bytes >> 20) + " MiB beside the "
-      + std::to_string(deviceCounters().bytes >> 20) + " MiB in use"
-    );
-    countAllocation(bytes);
-    return memory;
+    if (cudaMalloc(&memory, bytes) == cudaSuccess) return memory;
+    cudaGetLastError();                     // forgets it: a smaller block may still be had
+    return nullptr;
 }
 
-void release(void* memory, std::size_t bytes) noexcept
-{
-    if (!memory) return;
-    cudaFree(memory);
-    deviceCounters().bytes -= bytes;
-}
+void deleteBlock(void* memory) noexcept { cudaFree(memory); }
 
 void* allocateHost(std::size_t bytes)
 {

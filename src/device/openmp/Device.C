@@ -78,26 +78,16 @@ double millisecondsBetween(std::size_t first, std::size_t second)
 
 void forgetMarks() { marks.clear(); }
 
-void* allocate(std::size_t bytes)
+void* newBlock(std::size_t bytes) noexcept
 {
-    if (bytes == 0) return nullptr;
     constexpr std::size_t behind = 128;
     const std::size_t all = (bytes + behind + 63) / 64 * 64;
     void* memory = std::aligned_alloc(64, all);
-    if (!memory) throw FatalError("Cannot allocate " + std::to_string(bytes >> 20) + " MiB of memory");
-    std::memset(memory, 0, all);            // what is read behind the end counts nothing, but has to be a number
-    auto& counters = deviceCounters();
-    counters.bytes += bytes;
-    counters.peakBytes = std::max(counters.peakBytes, counters.bytes);
+    if (memory) std::memset(memory, 0, all);    // what is read behind the end counts nothing, but has to be a number
     return memory;
 }
 
-void release(void* memory, std::size_t bytes) noexcept
-{
-    if (!memory) return;
-    std::free(memory);
-    deviceCounters().bytes -= bytes;
-}
+void deleteBlock(void* memory) noexcept { std::free(memory); }
 
 void* allocateHost(std::size_t bytes)
 {

@@ -28,11 +28,11 @@ void InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& 
 void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt)
 {
     if (!active()) return;
-    acceleration_.resizeDiscarding(liquid.all());
-    acceleration_.setZero();
-    tension_->apply(liquid, near, walls, acceleration_);
-    wetting_->apply(liquid, near, walls, acceleration_);
-    displace(liquid, acceleration_, dt);
+    Buffer<Vec3> acceleration(liquid.all());
+    acceleration.setZero();
+    tension_->apply(liquid, near, walls, acceleration);
+    wetting_->apply(liquid, near, walls, acceleration);
+    displace(liquid, acceleration, dt);
 }
 
 }

@@ -78,9 +78,12 @@ TEST(Buffer, CountsItsMemoryAndGivesItBack)
 }
 
 // A number that changes a little every step must not allocate every step.
-TEST(Buffer, HasRoomForAQuarterMoreWhenItDiscards)
+TEST(Buffer, HasRoomForAQuarterMoreWhenItGrows)
 {
     Buffer<int> buffer;
+    const std::size_t none = deviceCounters().bytes;
+    buffer.resizeDiscarding(500);
+    EXPECT_EQ(deviceCounters().bytes, none + 2000);
     buffer.resizeDiscarding(1000);
     const std::size_t bytes = deviceCounters().bytes;
     for (int n : {1001, 10, 1250, 0, 1100})
@@ -91,4 +94,18 @@ TEST(Buffer, HasRoomForAQuarterMoreWhenItDiscards)
     EXPECT_EQ(deviceCounters().bytes, bytes);
     buffer.resizeDiscarding(1251);
     EXPECT_GT(deviceCounters().bytes, bytes);
+}
+
+// What one buffer has done with the next one of its size gets.
+TEST(Buffer, TakesWhatAnotherLeft)
+{
+    constexpr int n = 123457;               // of a size that no other test leaves
+    const void* left = nullptr;
+    {
+        Buffer<int> first(n);
+        left = first.span().data;
+    }
+    Buffer<float> second(n), third(n);
+    EXPECT_EQ(static_cast<const void*>(second.span().data), left);
+    EXPECT_NE(static_cast<const void*>(third.span().data), left);
 }

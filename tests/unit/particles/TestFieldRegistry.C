@@ -40,7 +40,7 @@ TEST(FieldRegistry, ReordersWhatMovesWithItsParticle)
     EXPECT_EQ(vector.download()[3].z, 2);
     EXPECT_EQ(label.download(), (std::vector<std::uint32_t>{32, 30, 33, 31}));
     EXPECT_EQ(scratch.download(), (std::vector<float>{40, 41, 42, 43}));
-    EXPECT_EQ(second.download(), (std::vector<float>{52, 50, 53, 51}));     // two fields share the scratch memory
+    EXPECT_EQ(second.download(), (std::vector<float>{52, 50, 53, 51}));
 }
 
 TEST(FieldRegistry, ReordersEveryStepWithoutAllocating)

@@ -164,7 +164,7 @@ public:
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls&) override
     {
         ++iterations_;
-        corrected_.resizeDiscarding(liquid.all());
+        Buffer<Vec3> corrected(liquid.all());
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -172,19 +172,22 @@ public:
                 forEachTeam(liquid.owned(), Displace<Kernel>
                 {
                     W, liquid.particleVolume(), liquid.predicted.span(), near.view(), increase_.span(), push_.span(),
-                    corrected_.span()
+                    corrected.span()
                 });
             },
             liquid.kernel()
         );
         if (order_.size() > 0) ordered_.add(liquid.owned(), order_);
-        liquid.predicted.swap(corrected_);
+        liquid.predicted.swap(corrected);
     }
 
     // The particles have their new positions and velocities.
     void correctVelocities(Liquid& liquid, const Neighbourhood&, const Walls& walls) override
     {
+        increase_ = {};
+        push_ = {};
         if (order_.size() == 0) return;
+        order_ = {};
         const Vec3 back = walls.held().freePart(ordered_.takeMean(liquid.owned()));
         forEach(liquid.owned(), Shift{back, 1 / dt_, liquid.position.span(), liquid.velocity.span()});
     }
@@ -201,7 +204,7 @@ private:
     int iterations_ = 0;
     std::optional<ExtendedLiquid> extended_;
     Buffer<float> increase_;
-    Buffer<Vec3> push_, order_, corrected_;     // order_: empty where walls hold in all directions
+    Buffer<Vec3> push_, order_;         // order_: empty where walls hold in all directions
     Resultant ordered_;
     AverageCompression compression_;
 };

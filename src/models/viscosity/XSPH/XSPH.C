@@ -51,7 +51,7 @@ public:
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float) override
     {
-        smoothed_.resizeDiscarding(liquid.all());
+        Buffer<Vec3> smoothed(liquid.all());
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -59,18 +59,17 @@ public:
                 forEachTeam(liquid.owned(), Smooth<Kernel>
                 {
                     W, c_, liquid.particleVolume(), liquid.position.span(), liquid.velocity.span(), near.view(), noSlip_,
-                    walls.view(), smoothed_.span()
+                    walls.view(), smoothed.span()
                 });
             },
             liquid.kernel()
         );
-        liquid.velocity.swap(smoothed_);
+        liquid.velocity.swap(smoothed);
     }
 
 private:
     float c_;
     bool noSlip_;
-    Buffer<Vec3> smoothed_;
 };
 
 const ViscosityTable::Add<XSPH> registered{"XSPH"};

@@ -1,0 +1,113 @@
+#include "device/Memory.H"
+
+#include "core/messages/Error.H"
+#include "device/Device.H"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace shizuku::device
+{
+
+namespace
+{
+
+struct Block
+{
+    void* memory;
+    std::size_t bytes;
+};
+
+// Blocks that nobody uses at present, the last one released behind the others.
+class KeptBlocks
+{
+public:
+    // One of just that size; nullptr where there is none.
+    void* take(std::size_t bytes)
+    {
+        const auto fit = std::find_if(blocks_.rbegin(), blocks_.rend(), [&](const Block& b) { return b.bytes == bytes; });
+        if (fit == blocks_.rend()) return nullptr;
+        void* const memory = fit->memory;
+        blocks_.erase(std::next(fit).base());
+        return memory;
+    }
+
+    // The oldest one goes where there are too many.
+    void bring(const Block& block)
+    {
+        blocks_.push_back(block);
+        constexpr std::size_t most = 32;
+        if (blocks_.size() > most) dropOldest();
+    }
+
+    void dropAll()
+    {
+        while (!blocks_.empty()) dropOldest();
+    }
+
+    std::size_t bytes() const
+    {
+        std::size_t sum = 0;
+        for (const Block& block : blocks_) sum += block.bytes;
+        return sum;
+    }
+
+private:
+    void dropOldest()
+    {
+        deleteBlock(blocks_.front().memory);
+        blocks_.erase(blocks_.begin());
+    }
+
+    std::vector<Block> blocks_;
+};
+
+// To the end of the process: buffers may live as long.
+KeptBlocks& kept()
+{
+    static KeptBlocks& blocks = *new KeptBlocks;
+    return blocks;
+}
+
+}
+
+void* allocate(std::size_t bytes)
+{
+    if (bytes == 0) return nullptr;
+    auto& counters = deviceCounters();
+    void* memory = kept().take(bytes);
+    if (!memory) memory = newBlock(bytes);
+    if (!memory)
+    {
+        kept().dropAll();
+        memory = newBlock(bytes);
+    }
+    if (!memory)
+    {
+        throw FatalError
+        (
+            "Not enough memory on the device: cannot allocate " + std::to_string(bytes >> 20) + " MiB beside the "
+          + std::to_string(counters.bytes >> 20) + " MiB in use"
+        );
+    }
+    counters.bytes += bytes;
+    counters.peakBytes = std::max(counters.peakBytes, counters.bytes + kept().bytes());
+    return memory;
+}
+
+void release(void* memory, std::size_t bytes) noexcept
+{
+    if (!memory) return;
+    kept().bring({memory, bytes});
+    deviceCounters().bytes -= bytes;
+}
+
+void discard(void* memory, std::size_t bytes) noexcept
+{
+    if (!memory) return;
+    deleteBlock(memory);
+    deviceCounters().bytes -= bytes;
+}
+
+}
