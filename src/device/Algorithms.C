@@ -2,6 +2,7 @@
 
 #include "core/messages/Error.H"
 #include "device/Device.H"
+#include "device/ForEach.H"
 #include "device/Profile.H"
 
 #ifdef __CUDACC__
@@ -12,6 +13,7 @@
 
 #include <thrust/device_ptr.h>
 #include <thrust/functional.h>
+#include <thrust/iterator/transform_iterator.h>
 #include <thrust/scan.h>
 
 #include <string>
@@ -29,6 +31,23 @@ struct SaturatingSum
     {
         const std::uint32_t sum = a + b;
         return sum < a ? 0xffffffffu : sum;
+    }
+};
+
+struct CountChosen
+{
+    HOST_DEVICE std::uint32_t operator()(std::uint8_t chosen) const { return chosen != 0; }
+};
+
+struct PlaceChosen
+{
+    Span<const std::uint8_t> chosen;
+    Span<const std::uint32_t> before;
+    Span<std::uint32_t> indices;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        if (chosen[i]) indices[int(before[i])] = std::uint32_t(i);
     }
 };
 
@@ -66,14 +85,18 @@ void sort(Buffer<std::uint64_t>& keys)
 
 void select(const Buffer<std::uint8_t>& chosen, Selection& selection)
 {
-    selection.indices.resizeDiscarding(chosen.size());
-    selection.count.resize(1);
-    ++deviceCounters().launches;
-    const device::KernelTimer timer("select");
-    device::selectIndices
-    (
-        chosen.span().data, chosen.size(), selection.indices.span().data, selection.count.span().data
-    );
+    const int n = chosen.size();
+    selection.indices.resizeDiscarding(n);
+    selection.before.resizeDiscarding(n + 1);
+    const auto counts = thrust::make_transform_iterator(thrust::device_pointer_cast(chosen.span().data), CountChosen{});
+    {
+        ++deviceCounters().launches;
+        const device::KernelTimer timer("select");
+        device::setBytes(selection.before.span().data, 0, sizeof(std::uint32_t));
+        const auto target = thrust::device_pointer_cast(selection.before.span().data) + 1;
+        thrust::inclusive_scan(device::executionPolicy(), counts, counts + n, target);
+    }
+    forEach(n, PlaceChosen{chosen.span(), selection.before.span(), selection.indices.span()});
 }
 
 std::uint32_t exclusiveScan(const Buffer<std::uint32_t>& in, Buffer<std::uint32_t>& out, const char* list)

@@ -17,24 +17,14 @@ struct FindSurface
 {
     NeighbourView near;
     std::uint32_t leastInside;              // neighbours: fewer have those at the surface
-    float deepest, suction;
     Span<std::uint8_t> isNear;
-    Span<Vec3> gradient;
-    Span<float> depth;
-    Span<ContactLine> contact;
-    Span<float> lowestPressure;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         float open = near.count[i] < leastInside ? 1 : 0;
         near.forEach(i, [&](int j) { if (near.count[j] < leastInside) open = 1; }, team);
         open = team.sum(open);
-        if (!team.first()) return;
-        isNear[i] = open > 0;
-        lowestPressure[i] = -suction;
-        contact[i] = {};
-        gradient[i] = {};
-        depth[i] = deepest;
+        if (team.first()) isNear[i] = open > 0;
     }
 };
 
@@ -44,6 +34,7 @@ struct SumColour
     WendlandC2 W;
     float volume;                           // V/S
     NeighbourSearch wide;
+    Span<const std::uint32_t> place;
     Span<float> colour;
     Span<Vec3> gradient;
 
@@ -60,8 +51,9 @@ struct SumColour
         const float sum = team.sum(values);
         const Vec3 G = team.sum(slopes);
         if (!team.first()) return;
-        colour[i] = volume * (W.W(0) + sum);
-        gradient[i] = volume * G;
+        const int k = int(place[i]);
+        colour[k] = volume * (W.W(0) + sum);
+        gradient[k] = volume * G;
     }
 };
 
@@ -73,23 +65,27 @@ struct Reconstruct
     WallCompletion completion;
     HalfSpaceView plane;
     Span<const float> depthOfRatio;
-    float largestRatio, steepest;
+    float largestRatio, steepest, suction;
+    Span<const std::uint32_t> place;
     Span<Vec3> gradient;
     Span<float> depth;                      // holds the colour before
     Span<ContactLine> contact;
+    Span<float> lowestPressure;
 
     HOST_DEVICE void operator()(int i) const
     {
+        const int k = int(place[i]);
         const Vec3 xi = x[i];
-        float colour = depth[i];
-        Vec3 G = gradient[i];
+        float colour = depth[k];
+        Vec3 G = gradient[k];
         const ContactLine line = findContact(i, xi, colour, G);
         const auto wall = completion(i, xi, line);
         colour += wall.value;
         G += wall.gradient;
-        contact[i] = line;
-        gradient[i] = G;
-        depth[i] = depthOf(norm(G) / colour * W.h);
+        contact[k] = line;
+        gradient[k] = G;
+        depth[k] = depthOf(norm(G) / colour * W.h);
+        lowestPressure[k] = -suction;
     }
 
 private:
@@ -247,26 +243,25 @@ void FreeSurface::update(const Liquid& liquid, const Neighbourhood& near, const 
         const auto [smallest, largest] = walls.contactAngles(kernel_->h);
         extended_.emplace(*kernel_, smallest, largest);
     }
-    gradient_.resizeDiscarding(liquid.all());
-    depth_.resizeDiscarding(liquid.all());
-    contact_.resizeDiscarding(liquid.all());
-    lowestPressure_.resizeDiscarding(liquid.all());
-    isNear_.resizeDiscarding(liquid.owned());
-    const Span<const Vec3> x = liquid.predicted.span();
-    forEachTeam(liquid.owned(), FindSurface
-    {
-        near.view(), leastInside(liquid), kernel_->h, suction_, isNear_.span(), gradient_.span(), depth_.span(),
-        contact_.span(), lowestPressure_.span()
-    });
-    select(isNear_, particles_);
+    const int n = liquid.owned();
+    Buffer<std::uint8_t> isNear(n);
+    forEachTeam(n, FindSurface{near.view(), leastInside(liquid), isNear.span()});
+    select(isNear, particles_);
+
+    gradient_.resizeDiscarding(n);
+    depth_.resizeDiscarding(n);
+    contact_.resizeDiscarding(n);
+    lowestPressure_.resizeDiscarding(n);
+    const Span<const std::uint32_t> place = particles_.before.span();
     forEachTeam(particles_, SumColour
     {
-        *kernel_, liquid.particleVolume() / latticeSum_, near.wide(liquid), depth_.span(), gradient_.span()
+        *kernel_, liquid.particleVolume() / latticeSum_, near.wide(liquid), place, depth_.span(), gradient_.span()
     });
     forEach(particles_, Reconstruct
     {
-        *kernel_, x, {extended_->view(), kernel_->h, walls.view()}, {plane_.span(), kernel_->h}, depthOfRatio_.span(),
-        largestRatio_, steepest_, gradient_.span(), depth_.span(), contact_.span()
+        *kernel_, liquid.predicted.span(), {extended_->view(), kernel_->h, walls.view()}, {plane_.span(), kernel_->h},
+        depthOfRatio_.span(), largestRatio_, steepest_, suction_, place, gradient_.span(), depth_.span(), contact_.span(),
+        lowestPressure_.span()
     });
 }
 

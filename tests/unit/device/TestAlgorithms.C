@@ -80,7 +80,9 @@ TEST(Algorithms, SelectListsWhatIsChosenInItsOrder)
             if (chosen[i]) expected.push_back(i);
         }
         select(Buffer<std::uint8_t>(chosen), selection);
-        ASSERT_EQ(selection.count.download().front(), expected.size()) << n;
+        std::vector<std::uint32_t> before(n + 1);
+        for (int i = 0; i < n; ++i) before[i + 1] = before[i] + (chosen[i] ? 1 : 0);
+        ASSERT_EQ(selection.before.download(), before) << n;
         auto indices = selection.indices.download();
         indices.resize(expected.size());
         EXPECT_EQ(indices, expected) << n;

@@ -3,7 +3,7 @@
 #include "freeSurface/FreeSurface.H"
 
 #include "device/Device.H"
-#include "support/LiquidCase.H"
+#include "support/SurfaceStates.H"
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -14,32 +14,6 @@ namespace
 constexpr double degree = std::numbers::pi / 180;
 
 const std::string floorPlane = "floor { type plane; point (0 0 0); normal (0 0 1); }";
-
-// The reconstruction in the order of placement.
-struct Reconstruction
-{
-    std::vector<Vec3> gradient;
-    std::vector<float> depth;
-    std::vector<ContactLine> contact;
-};
-
-Reconstruction reconstructionOf(const LiquidCase& drop)
-{
-    const FreeSurfaceView view = drop.surface.view();
-    const auto gradient = download(view.gradient);
-    const auto depth = download(view.depth);
-    const auto contact = download(view.contact);
-    const auto id = drop.liquid.id.download();
-    const std::size_t n = id.size();
-    Reconstruction result{std::vector<Vec3>(n), std::vector<float>(n), std::vector<ContactLine>(n)};
-    for (std::size_t i = 0; i < n; ++i)
-    {
-        result.gradient[id[i]] = gradient[i];
-        result.depth[id[i]] = depth[i];
-        result.contact[id[i]] = contact[i];
-    }
-    return result;
-}
 
 }
 
@@ -71,27 +45,27 @@ TEST(FreeSurface, OfALatticeHalfSpaceIsPlanar)
         EXPECT_FLOAT_EQ(h, 4 * d);
         const auto points = latticeBlock(11, 11, 10, apart, {-5 * apart, -5 * apart, -9.5f * apart});
         drop.place(points);
-        const auto surface = reconstructionOf(drop);
+        const auto surface = surfaceStates(drop);
         const auto table = tabulateHalfSpace(drop.surface.kernel());
         const HalfSpaceView plane{{table.data(), int(table.size())}, h};
         const float steepest = plane(0).gradient, dilution = 1 / (apart * apart * apart);
         EXPECT_FLOAT_EQ(drop.surface.steepest(), steepest);
         for (std::size_t i = 0; i < points.size(); ++i)
         {
-            const Vec3 x = points[i], G = surface.gradient[i];
+            const Vec3 x = points[i], G = surface[i].gradient;
             if (x.x != 0 || x.y != 0 || x.z < -5) continue;
             const float s = -x.z * d;
             EXPECT_NEAR(-G.z, dilution * plane(s).gradient, (s < 2 * d ? 0.03f : 0.06f) * steepest) << x.z;
             EXPECT_NEAR(std::hypot(G.x, G.y), 0, 1e-5f * steepest) << x.z;         // roundings of 270 terms
             if (s < 2 * d)
             {
-                EXPECT_NEAR(surface.depth[i], s, 0.15f * d) << x.z;
+                EXPECT_NEAR(surface[i].depth, s, 0.15f * d) << x.z;
             }
             else
             {
-                EXPECT_GT(surface.depth[i], std::min(s, h) - 0.15f * d) << x.z;
+                EXPECT_GT(surface[i].depth, std::min(s, h) - 0.15f * d) << x.z;
             }
-            EXPECT_EQ(surface.contact[i].wall, -1);
+            EXPECT_EQ(surface[i].contact.wall, -1);
         }
     }
 }
@@ -105,9 +79,9 @@ TEST(FreeSurface, IsNotLessThanHalfASpacingAway)
     points.push_back({5.5f, 0, 0});
     drop.place(points);
     const float d = drop.liquid.spacing();
-    const auto surface = reconstructionOf(drop);
-    for (const float depth : surface.depth) EXPECT_GE(depth, 0.5f * d * (1 - 1e-6f));
-    EXPECT_FLOAT_EQ(surface.depth.back(), 0.5f * d);
+    const auto surface = surfaceStates(drop);
+    for (const SurfaceState& state : surface) EXPECT_GE(state.depth, 0.5f * d * (1 - 1e-6f));
+    EXPECT_FLOAT_EQ(surface.back().depth, 0.5f * d);
 }
 
 // Liquid whose interface meets the wall at the contact angle reads, near the wall, as without one. The lattice against the
@@ -125,19 +99,19 @@ TEST(FreeSurface, OfAWedgeAtItsContactAngleIsThatOfAHalfSpace)
         const float d = drop.liquid.spacing(), h = drop.surface.support();
         const auto table = tabulateHalfSpace(drop.surface.kernel());
         const HalfSpaceView plane{{table.data(), int(table.size())}, h};
-        const auto surface = reconstructionOf(drop);
+        const auto surface = surfaceStates(drop);
         const Vec3 m{float(std::sin(theta * degree)), 0, float(std::cos(theta * degree))};
         int compared = 0;
         for (std::size_t i = 0; i < points.size(); ++i)
         {
-            const Vec3 x = points[i], G = surface.gradient[i];
+            const Vec3 x = points[i], G = surface[i].gradient;
             const float s = -dot(x, m);
             if (std::abs(x.y) > 0.1f || x.z > 5 || s > 1.5f) continue;
             ++compared;
             EXPECT_GT(-dot(G, m) / norm(G), std::cos(4.5 * degree)) << theta << " " << x.z << " " << s;
             EXPECT_NEAR(norm(G), plane(s * d).gradient, 0.07f * plane(0).gradient) << theta << " " << x.z << " " << s;
-            EXPECT_NEAR(surface.depth[i], std::max(s, 0.5f) * d, 0.15f * d) << theta << " " << x.z << " " << s;
-            const ContactLine line = surface.contact[i];
+            EXPECT_NEAR(surface[i].depth, std::max(s, 0.5f) * d, 0.15f * d) << theta << " " << x.z << " " << s;
+            const ContactLine line = surface[i].contact;
             EXPECT_EQ(line.wall, x.z < 4 ? 0 : -1);
             if (line.wall < 0) continue;
             EXPECT_NEAR(line.theta, theta * degree, 1e-6);
@@ -167,7 +141,7 @@ TEST(FreeSurface, MeetsACurvedWallAtTheAngleOfItsContactLine)
             if (norm(p - centre) > 20.4f && dot(p, m) < -0.3f) points.push_back(p);
         }
         drop.place(points);
-        const auto surface = reconstructionOf(drop);
+        const auto surface = surfaceStates(drop);
         int compared = 0;
         double most = 0;
         for (std::size_t i = 0; i < points.size(); ++i)
@@ -177,7 +151,7 @@ TEST(FreeSurface, MeetsACurvedWallAtTheAngleOfItsContactLine)
             ++compared;
             const double exact = std::acos(dot(m, foot) / norm(foot)) / degree;
             most = std::max(most, std::abs(exact - theta));
-            EXPECT_NEAR(surface.contact[i].theta / degree, exact, 1.5) << theta << " " << x.x << " " << x.z;
+            EXPECT_NEAR(surface[i].contact.theta / degree, exact, 1.5) << theta << " " << x.x << " " << x.z;
         }
         EXPECT_GE(compared, 3) << theta;
         EXPECT_GT(most, 4) << theta;            // what a wall taken as plane would miss by
@@ -193,15 +167,15 @@ TEST(FreeSurface, IsNotInACornerFullOfLiquid)
     const auto points = latticeBlock(10, 11, 10, 1, {0.5f, -5, 0.5f});
     drop.place(points);
     const float d = drop.liquid.spacing();
-    const auto surface = reconstructionOf(drop);
+    const auto surface = surfaceStates(drop);
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         const Vec3 x = points[i];
         if (x.y != 0 || x.x > 5 || x.z > 5) continue;
-        EXPECT_LT(norm(surface.gradient[i]), 0.05f * drop.surface.steepest()) << x.x << " " << x.z;
-        EXPECT_GT(surface.depth[i], 2.4f * d) << x.x << " " << x.z;
+        EXPECT_LT(norm(surface[i].gradient), 0.05f * drop.surface.steepest()) << x.x << " " << x.z;
+        EXPECT_GT(surface[i].depth, 2.4f * d) << x.x << " " << x.z;
         if (x.x > 2 && x.z > 2) continue;           // deeper than the density's support
-        EXPECT_EQ(surface.contact[i].wall, x.z <= x.x ? 0 : 1) << x.x << " " << x.z;
+        EXPECT_EQ(surface[i].contact.wall, x.z <= x.x ? 0 : 1) << x.x << " " << x.z;
     }
 }
 
@@ -216,11 +190,11 @@ TEST(FreeSurface, IsFartherThanTheDensitysSupportFromWhatIsDeep)
     RandomNumbers random(3);
     for (Vec3& p : points) p += random({-0.35f, -0.35f, -0.35f}, {0.35f, 0.35f, 0.35f});
     drop.place(points);
-    const auto surface = reconstructionOf(drop);
+    const auto surface = surfaceStates(drop);
     int deep = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-        if (surface.depth[i] < drop.surface.support()) continue;
+        if (surface[i].depth < drop.surface.support()) continue;
         ++deep;
         EXPECT_LT(norm(points[i]), 8.35f);
     }

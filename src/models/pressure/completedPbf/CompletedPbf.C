@@ -57,18 +57,18 @@ struct RaisePressure
     {
         const ConstraintSums sums = constraintSums(W, volume, i, x, near, team);
         if (!team.first()) return;
-        const auto wall = walls(i, x[i], surface.contact[i]);
-        const HalfSpaceValues gas = plane(surface.depth[i]);
+        const SurfaceState own = surface(i);
+        const auto wall = walls(i, x[i], own.contact);
+        const HalfSpaceValues gas = plane(own.depth);
         const Vec3 gradient = sums.gradient + wall.gradient;
         density[i] = (densityVolume * sums.W + wall.value) / (1 - gas.density);
 
         const float before = pressure[i];
         const float step = relaxation * (density[i] - 1) / (sums.squares + squared(gradient) + epsilon);
-        pressure[i] = fmaxf(before + step / perPressure, surface.lowestPressure[i]);
+        pressure[i] = fmaxf(before + step / perPressure, own.lowestPressure);
         increase[i] = (pressure[i] - before) * perPressure;
 
-        const Vec3 inward = surface.gradient[i];
-        const Vec3 disorder = gradient - gas.gradient / fmaxf(norm(inward), 1e-20f) * inward;
+        const Vec3 disorder = gradient - gas.gradient / fmaxf(norm(own.gradient), 1e-20f) * own.gradient;
         const Vec3 e = 2 * increase[i] * ((pressure[i] < 0 ? -ordering : ordering) - 1) * disorder;
         push[i] = 2 * increase[i] * wall.gradient + e;
         if (order.size > 0) order[i] = e;

@@ -42,49 +42,45 @@ constexpr float sharpest = 0.7f;            // largest |kappa|, times the spacin
 constexpr float holds = 1.5f;               // lowest pressure at a hollow surface, over sigma kappa
 constexpr float flattest = 0.05f;           // least sin(theta) for the distance from the contact line
 
-struct Normal
+struct PackPositions
 {
-    FreeSurfaceView surface;
-    float least;
-    Span<Vec3> normal, smooth;              // zero away from the surface
-    Span<std::uint8_t> isNear;
+    Span<const std::uint32_t> place;
+    Span<const Vec3> x;
+    Span<Vec3> packed;
 
-    HOST_DEVICE void operator()(int i) const
-    {
-        const Vec3 G = surface.gradient[i];
-        const float length = norm(G);
-        isNear[i] = length > least;
-        normal[i] = length > least ? -1 / length * G : Vec3{};
-        smooth[i] = {};
-    }
+    HOST_DEVICE void operator()(int i) const { packed[int(place[i])] = x[i]; }
 };
 
-HOST_DEVICE inline auto isNearSurface(Vector auto normal) { return squared(normal) > 0.25f; }
-
-HOST_DEVICE inline auto onSameSurface(Vec3 mi, Vector auto mj) { return isNearSurface(mj) && dot(mi, mj) >= 0; }
+HOST_DEVICE inline auto onSameSurface(Vec3 mi, Vector auto mj) { return squared(mj) > 0.25f && dot(mi, mj) >= 0; }
 
 // Single normals are tilted by a few degrees where the particles stand in layers along a wall; their mean is not.
 struct SmoothNormal
 {
     WendlandC2 W;
-    Span<const Vec3> normal;
-    NeighbourSearch near;
+    float least;                            // |G|
     FreeSurfaceView surface;
-    Span<Vec3> smooth;
+    SelectedSearch near;
+    Span<Vec3> normal;                      // zero where |G| is less
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const Vec3 mi = normal[i];
-        if (!isNearSurface(mi)) return;
-        Team::Vector sums;
-        near.forEach(i, [&](auto j, auto r)
+        const int k = int(surface.place[i]);
+        const Vec3 G = surface.gradient[k];
+        if (squared(G) <= least * least)
         {
-            const auto same = onSameSurface(mi, normal[j]);
+            if (team.first()) normal[k] = {};
+            return;
+        }
+        Team::Vector sums;
+        near.forEach(k, [&](auto l, auto r)
+        {
+            const auto Gl = surface.gradient[l];
+            const auto same = squared(Gl) > least * least && dot(G, Gl) >= 0;
             if (noneOf(same)) return;
-            sums -= (same ? W.W(norm(r)) : 0) * surface.gradient[j];
+            sums -= (same ? W.W(norm(r)) : 0) * Gl;
         }, team);
-        const Vec3 sum = team.sum(sums) - W.W(0) * surface.gradient[i];
-        if (team.first()) smooth[i] = 1 / norm(sum) * sum;
+        const Vec3 sum = team.sum(sums) - W.W(0) * G;
+        if (team.first()) normal[k] = 1 / norm(sum) * sum;
     }
 };
 
@@ -92,9 +88,9 @@ struct Force
 {
     WendlandC2 W;
     float volume, largest, sigma, restDensity;
-    Span<const Vec3> x, normal;
-    NeighbourSearch near;
     FreeSurfaceView surface;
+    Span<const Vec3> normal;
+    SelectedSearch near;
     ExtendedLiquidView extended;
     WallView walls;
     Span<float> lowestPressure;
@@ -102,21 +98,23 @@ struct Force
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        if (!isNearSurface(normal[i])) return;
-        const float jump = sigma * curvature(i, team);
+        const int k = int(surface.place[i]);
+        if (squared(normal[k]) == 0) return;
+        const float jump = sigma * curvature(i, k, team);
         if (!team.first()) return;
-        lowestPressure[i] = fminf(fmaxf(holds * jump, lowestPressure[i]), 0);
-        acceleration[i] += 2 * jump / restDensity * surface.gradient[i];
+        lowestPressure[k] = fminf(fmaxf(holds * jump, lowestPressure[k]), 0);
+        acceleration[i] += 2 * jump / restDensity * surface.gradient[k];
     }
 
 private:
-    HOST_DEVICE float curvature(int i, Team team) const
+    HOST_DEVICE float curvature(int i, int k, Team team) const
     {
-        const Vec3 xi = x[i], mi = normal[i];
+        const Vec3 xi = near.points[k], mi = normal[k];
+        const float own = surface.depth[k];
         Team::Float spreads{}, weights{}, depths{};
-        near.forEach(i, [&](auto j, auto r)
+        near.forEach(k, [&](auto l, auto r)
         {
-            const auto mj = normal[j];
+            const auto mj = normal[l];
             const auto same = onSameSurface(mi, mj);
             if (noneOf(same)) return;
             const auto mean = mi + mj;
@@ -125,10 +123,10 @@ private:
             const auto along = same ? slope * (squared(r) - up * up / squared(mean)) : 0;
             spreads -= slope * dot(r, mj - mi);
             weights += along;
-            depths += along * 0.5f * (surface.depth[i] + surface.depth[j]);
+            depths += along * 0.5f * (own + surface.depth[l]);
         }, team);
         float spread = team.sum(spreads), weight = team.sum(weights), depth = team.sum(depths);
-        const ContactLine line = surface.contact[i];
+        const ContactLine line = surface.contact[k];
         walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
         {
             if (a != line.wall) return;
@@ -140,7 +138,7 @@ private:
             const float along = fmaxf(0, -fromLine * dot(slope, upward));
             spread += dot(slope, sine * line.tangent + cosine * wall.normal - mi);
             weight += along;
-            depth += along * surface.depth[i];
+            depth += along * own;
         });
         if (weight <= 0) return 0;
         const float kappa = fminf(fmaxf(2 * spread / weight, -largest), largest);
@@ -183,20 +181,15 @@ public:
     {
         const WendlandC2 W = surface_.kernel();
         if (!extended_) tabulate(walls);
-        normal_.resizeDiscarding(liquid.all());
-        smooth_.resizeDiscarding(liquid.all());
+        Buffer<Vec3> position(liquid.owned()), normal(liquid.owned());      // of the particles near the surface
         const FreeSurfaceView view = surface_.view();
-        isNear_.resizeDiscarding(liquid.all());
-        const NeighbourSearch wide = near.wide(liquid, isNear_.span());
-        forEach(liquid.owned(), Normal
-        {
-            view, nearSurface * surface_.steepest(), normal_.span(), smooth_.span(), isNear_.span()
-        });
-        forEachTeam(surface_.particles(), SmoothNormal{W, normal_.span(), wide, view, smooth_.span()});
+        const SelectedSearch among = near.wide(surface_.particles(), position);
+        forEach(surface_.particles(), PackPositions{view.place, liquid.predicted.span(), position.span()});
+        forEachTeam(surface_.particles(), SmoothNormal{W, nearSurface * surface_.steepest(), view, among, normal.span()});
         forEachTeam(surface_.particles(), Force
         {
-            W, liquid.particleVolume(), sharpest / liquid.spacing(), sigma_, liquid.restDensity(), liquid.predicted.span(),
-            smooth_.span(), wide, view, extended_->view(), walls.view(), surface_.lowestPressure(), acceleration.span()
+            W, liquid.particleVolume(), sharpest / liquid.spacing(), sigma_, liquid.restDensity(), view, normal.span(), among,
+            extended_->view(), walls.view(), surface_.lowestPressure(), acceleration.span()
         });
         if (walls.particles() + walls.surfaces() > 0) return;
         resultant_.add(liquid.owned(), acceleration);
@@ -223,8 +216,6 @@ private:
     FreeSurface& surface_;
     float sigma_;
     std::optional<ExtendedLiquid> extended_;
-    Buffer<Vec3> normal_, smooth_;
-    Buffer<std::uint8_t> isNear_;
     Resultant resultant_;
 };
 

@@ -2,8 +2,8 @@
 #include "motion/Motion.H"
 
 #include "models/surfaceTension/SurfaceTension.H"
-#include "support/LiquidCase.H"
 #include "support/ReferenceKernels.H"
+#include "support/SurfaceStates.H"
 #include "support/VectorSum.H"
 
 #include <algorithm>
@@ -40,17 +40,6 @@ int iterate(Pressure& pressure, LiquidCase& drop, float dt)
     pressure.begin(dt);
     while (pressure.violated(drop.liquid, drop.near, drop.walls)) pressure.correct(drop.liquid, drop.near, drop.walls);
     return pressure.iterations();
-}
-
-// A field of the surface, by the numbers that the points were placed in.
-template<class T>
-std::vector<T> byNumber(const LiquidCase& drop, Span<const T> field)
-{
-    const auto values = download(field);
-    const auto id = drop.liquid.id.download();
-    std::vector<T> result(id.size());
-    for (std::size_t i = 0; i < id.size(); ++i) result[id[i]] = values[i];
-    return result;
 }
 
 double averageOf(const std::vector<float>& density, double (*error)(double))
@@ -179,7 +168,7 @@ TEST(CompletedPbf, RaisesThePressureByItsFormula)
         auto points = latticeBlock(7, 7, 7, 1);
         for (Vec3& p : points) p += random({-0.15f, -0.15f, -0.15f}, {0.15f, 0.15f, 0.15f});
         drop.place(points);
-        const auto depth = byNumber(drop, drop.surface.view().depth);
+        const auto surface = surfaceStates(drop);
         const Buffer<float>* field = pressure->keepPressure();
         ASSERT_NE(field, nullptr);
         pressure->begin(dt);
@@ -214,7 +203,7 @@ TEST(CompletedPbf, RaisesThePressureByItsFormula)
             }
             for (const double g : gradient) squares += g * g;
             // What is missing beyond the surface.
-            const double s = depth[i] / d;
+            const double s = surface[i].depth / d;
             const auto cap = [&](double r) { return 2 * std::numbers::pi * r * (r - s) * W.W(r); };
             const double rho = sum / (1 - (s < 2 ? integrate(s, 2, 400, cap) : 0));
             ASSERT_NEAR(density[i], rho, 1e-4) << i;        // the table's interpolation
@@ -250,8 +239,7 @@ TEST(CompletedPbf, DisplacesByItsFormula)
     pressure->correct(drop.liquid, drop.near, drop.walls);
     EXPECT_EQ(pressure->iterations(), 1);
     const auto moved = drop.inOrder(drop.liquid.predicted);
-    const auto depth = byNumber(drop, drop.surface.view().depth);
-    const auto inward = byNumber(drop, drop.surface.view().gradient);
+    const auto states = surfaceStates(drop);
 
     const Reference<CubicSpline> W{2};              // in spacings, in which V = 1
     const double d = drop.liquid.spacing(), strength = dt * dt / (drop.liquid.restDensity() * d * d);
@@ -267,11 +255,11 @@ TEST(CompletedPbf, DisplacesByItsFormula)
         const Vec3 x = points[i];
         if (std::abs(x.x - 4) > 1.8f || std::abs(x.y - 4) > 1.8f) continue;
         ++compared;
-        const double floor = 4 * p[i] * halfSpace(x.z), surface = 2 * p[i] * halfSpace(depth[i] / d);
+        const double floor = 4 * p[i] * halfSpace(x.z), surface = 2 * p[i] * halfSpace(states[i].depth / d);
         Vector3 sum(0, 0, floor);
         if (surface != 0)
         {
-            const Vec3 m = 1 / norm(inward[i]) * inward[i];
+            const Vec3 inward = states[i].gradient, m = 1 / norm(inward) * inward;
             sum += surface * Vector3(m.x, m.y, m.z);
         }
         for (std::size_t j = 0; j < points.size(); ++j)

@@ -1,7 +1,7 @@
 #include "models/wetting/Wetting.H"
 
 #include "device/Device.H"
-#include "support/LiquidCase.H"
+#include "support/SurfaceStates.H"
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -48,7 +48,7 @@ TEST(ExtendedSurface, GivesTheReconstructionTheContactAngle)
         EXPECT_EQ(wetting->active(), on);
         drop.place(latticeBlock(6, 6, 3, 1, {-2.5f, -2.5f, 0.5f}));
         const double theta = (on ? 60 : 90) * std::numbers::pi / 180;
-        for (const ContactLine& line : download(drop.surface.view().contact)) ASSERT_NEAR(line.theta, theta, 1e-6);
+        for (const SurfaceState& state : surfaceStates(drop)) ASSERT_NEAR(state.contact.theta, theta, 1e-6);
 
         Buffer<Vec3> acceleration(drop.liquid.all());
         acceleration.setZero();
