@@ -3,7 +3,8 @@
 #include "device/Gather.H"
 #include "device/Reduce.H"
 #include "geometry/Vector3.H"
-#include "neighbours/CellGrid.H"
+#include "models/pressure/Pressure.H"
+#include "motion/Motion.H"
 
 #include <cmath>
 #include <sstream>
@@ -57,6 +58,21 @@ struct CrowdingOf
     }
 };
 
+// Each particle by its own random way, up to `most` along each axis: bits of its number, mixed by Knuth's multiplier.
+struct Stir
+{
+    float most;
+    Span<const std::uint32_t> id;
+    Span<Vec3> position;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const std::uint32_t bits = (id[i] + 1) * 2654435761u;
+        const auto part = [&](int shift) { return most * (float(bits >> shift & 1023u) / 511.5f - 1); };
+        position[i] += Vec3{part(0), part(10), part(20)};
+    }
+};
+
 }
 
 Crowding measureCrowding(const Liquid& liquid)
@@ -98,8 +114,46 @@ void refuseOverlap(const Liquid& liquid, const std::filesystem::path& folder)
     expected << "liquid at rest density, a mean below " << Crowding::mostMean << " and nowhere " << Crowding::mostOfOne
              << ", of particles one spacing apart.\n    Run fillLiquid with the spacing of system/solution, " << spacing
              << " m; or give there the one that the liquid was filled with (a lattice of "
-             << spacing / std::cbrt(crowding.most) << " m is that dense); and fill no place twice";
+             << spacing / std::cbrt(crowding.most) << " m is that dense); and fill no place twice.\n    `overlaps relax;` in system/solution moves the particles apart before the first step";
     throw FatalInputError({(folder / liquid.name() / "positions").string(), 0}, found.str(), expected.str());
+}
+
+bool relaxesOverlap(const Dictionary& solution)
+{
+    return solution.lookupChoiceOr("overlaps", {"refuse", "relax"}, "refuse") == "relax";
+}
+
+int relaxOverlap(Liquid& liquid, Neighbourhood& near, Walls& walls)
+{
+    if (!measureCrowding(liquid).overlaps()) return 0;
+
+    constexpr int mostRounds = 200;
+    FreeSurface unused;
+    const auto pressure = Pressure::New
+    (
+        Dictionary::parse("pressure pbf;"),
+        Dictionary::parse("pressure { relaxation 0.3; minIterations 1; maxIterations 5; tolerance 5e-3; }"), liquid, walls, unused
+    );
+    forEach(liquid.owned(), Stir{0.25f * liquid.spacing(), liquid.id.span(), liquid.position.span()});
+    for (int round = 1; round <= mostRounds; ++round)
+    {
+        predictPositions(liquid, 0);
+        near.update(liquid);
+        walls.update(liquid);
+        pressure->begin(1);
+        while (pressure->violated(liquid, near, walls))
+        {
+            pressure->correct(liquid, near, walls);
+            walls.project(liquid);
+        }
+        liquid.position.swap(liquid.predicted);
+        if (pressure->iterations() <= 1 && !measureCrowding(liquid).overlaps()) return round;
+    }
+    throw FatalInputError
+    (
+        {}, "The liquid still overlaps itself after " + std::to_string(mostRounds) + " rounds of `overlaps relax`",
+        "walls that leave room for it: less liquid, or a smaller spacing"
+    );
 }
 
 }

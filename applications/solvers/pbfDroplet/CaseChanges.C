@@ -2,6 +2,7 @@
 
 #include "core/dictionary/Differences.H"
 #include "geometry/thetaModels/ThetaField.H"
+#include "stepping/StartCheck.H"
 
 #include <algorithm>
 #include <cmath>
@@ -117,6 +118,7 @@ void CaseChanges::make(const Time& time, bool wettability, Liquid& liquid, Walls
     const Dictionary liquidDict = readOrEmpty(dictionaries_[1].file.path());
     const LiquidProperties former = liquid.properties(), wanted = LiquidProperties::read(solution, liquidDict);
     solution.subDictOrEmpty("kernel").markUsed();
+    relaxesOverlap(solution);           // of a start
     liquidDict.refuseUnused();
     const auto cosines = walls.cosines();
     std::vector<double> theta;

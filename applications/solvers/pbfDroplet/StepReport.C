@@ -20,6 +20,11 @@ void warnOfResolution(FlowView& flow)
     }
 }
 
+void reportRelaxation(int rounds)
+{
+    if (rounds > 0) std::cout << "The liquid overlapped itself: its particles were moved apart in " << rounds << " rounds\n";
+}
+
 void reportStep(const SubSteps& steps, FlowView& flow)
 {
     const LiquidState& state = flow.state();

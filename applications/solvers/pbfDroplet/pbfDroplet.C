@@ -40,13 +40,15 @@ void pbfDroplet(const Arguments& args)
     Models models(args.casePath(), solution, liquid, walls);
     StepControl control(time.controlDict());
     FunctionObjects functions(time, liquid.properties().spacing, !args.found("noFunctionObjects"));
+    const bool relaxes = relaxesOverlap(solution);
     solution.refuseUnused();
     liquidDict.refuseUnused();
 
     liquid.read(time.path());
-    refuseOverlap(liquid, time.path());
+    if (!relaxes) refuseOverlap(liquid, time.path());
     if (time.index() == 0) walls.refuseLiquidInside(liquid);
     Neighbourhood near(liquid);
+    if (relaxes) reportRelaxation(relaxOverlap(liquid, near, walls));
     FlowView flow(time, liquid, near, walls, models);
     if (time.index() == 0) warnOfResolution(flow);
     functions.modelsMade(flow);

@@ -147,6 +147,10 @@ TEST_P(CheckCase, overlappingLiquid)
 {
     write("system/solution", "spacing 1.25e-3;\n");
     expectFailures(1, {"overlapping itself", "0.8 spacings", "0/liquid/positions"});
+    write("system/solution", "spacing 1.25e-3;\noverlaps relax;\n");
+    const Outcome outcome = check();
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"*Warning: the liquid overlaps itself", "Case OK"}));
 }
 
 // 294 particles: (3*294/(4 pi))^(1/3) = 4.12 spacings a radius. The solver says once what checkCase does.

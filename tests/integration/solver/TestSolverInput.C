@@ -245,6 +245,13 @@ TEST_P(Input, overlappingLiquid)
     ASSERT_EQ(solve().status, 0);
     write("system/solution", crowded);
     refused({"overlapping itself"}, "0.004/liquid/positions");
+
+    // Asked to, it moves them apart; what checkCase says of that is no error.
+    removeResults();
+    write("system/solution", crowded + "overlaps relax;\n");
+    const Outcome outcome = solve();
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"its particles were moved apart in ", "\nEnd\n"}));
 }
 
 TEST_P(Input, fields)

@@ -100,3 +100,65 @@ TEST(StartCheck, SaysWhatWasFoundAndWhatToDo)
     drop.place(latticeBlock(8, 8, 8, 1));
     EXPECT_EQ(messageOf([&] { refuseOverlap(drop.liquid, "case/0"); }), "no error");
 }
+
+// From a lattice of 0.7 spacings, and from a body filled in twice, whose particles are in the same places by two. Corrections
+// act in pairs: the centroid stays, but for the stirring: 0.25/sqrt(3) of a spacing along each axis over the root of 512, 0.0064, taken three times.
+TEST(StartCheck, MovesApartWhatOverlaps)
+{
+    const auto block = latticeBlock(8, 8, 8, 0.7f, {-2.45f, -2.45f, -2.45f});
+    auto twice = latticeBlock(7, 7, 6, 1);
+    const std::size_t once = twice.size();
+    for (std::size_t i = 0; i < once; ++i) twice.push_back(twice[i]);
+    for (const auto& points : {block, twice})
+    {
+        LiquidCase drop;
+        std::vector<Vec3> velocities;
+        Vec3 before{}, after{};
+        for (const Vec3& p : points)
+        {
+            velocities.push_back({p.x, float(velocities.size()), 0});
+            before += (1.0f / float(points.size())) * p;
+        }
+        drop.place(points, velocities);
+        ASSERT_TRUE(measureCrowding(drop.liquid).overlaps());
+        const int rounds = relaxOverlap(drop.liquid, drop.near, drop.walls);
+        EXPECT_GT(rounds, 0);
+        EXPECT_LT(rounds, 100);
+        const Crowding crowding = measureCrowding(drop.liquid);
+        EXPECT_LT(crowding.most, 1.1);              // the average compression is below half a percent
+        EXPECT_GT(crowding.nearest, 0.1);
+        const auto x = drop.inOrder(drop.liquid.position), u = drop.inOrder(drop.liquid.velocity);
+        ASSERT_EQ(x.size(), points.size());
+        for (std::size_t i = 0; i < x.size(); ++i)
+        {
+            after += (1 / (float(x.size()) * drop.liquid.spacing())) * x[i];
+            ASSERT_EQ(u[i].y, velocities[i].y);
+        }
+        EXPECT_LT(norm(after - before), 0.033f);
+    }
+}
+
+TEST(StartCheck, LeavesAloneWhatDoesNotOverlap)
+{
+    LiquidCase drop;
+    drop.place(latticeBlock(8, 8, 8, 1));
+    const auto before = drop.liquid.position.download();
+    EXPECT_EQ(relaxOverlap(drop.liquid, drop.near, drop.walls), 0);
+    const auto after = drop.liquid.position.download();
+    for (std::size_t i = 0; i < before.size(); ++i) ASSERT_EQ(norm(after[i] - before[i]), 0);
+}
+
+// The block of 512 lattice cells in a box of 64.
+TEST(StartCheck, SaysWhereThereIsNoRoom)
+{
+    LiquidCase drop({.walls = "tank { type box; min (0 0 0); max (4e-3 4e-3 4e-3); }"});
+    drop.place(latticeBlock(8, 8, 8, 0.5f, {0.25f, 0.25f, 0.25f}));
+    EXPECT_TRUE(holds(messageOf([&] { relaxOverlap(drop.liquid, drop.near, drop.walls); }), {"still overlaps", "200 rounds", "leave room"}));
+}
+
+TEST(StartCheck, IsToldWhatToDo)
+{
+    EXPECT_FALSE(relaxesOverlap(Dictionary::parse("")));
+    EXPECT_TRUE(relaxesOverlap(Dictionary::parse("overlaps relax;")));
+    EXPECT_TRUE(holds(messageOf([] { relaxesOverlap(Dictionary::parse("overlaps relaxed;")); }), {"'relaxed'", "refuse", "relax"}));
+}

@@ -5,6 +5,7 @@
 #include "functionObjects/FunctionObjects.H"
 #include "motion/SpeedMeter.H"
 #include "particles/ParticleFiles.H"
+#include "stepping/StartCheck.H"
 
 #include <algorithm>
 #include <cmath>
@@ -56,10 +57,12 @@ CaseForecast forecastCase(const TrialCase& trial, double measuredFor)
     Walls walls(casePath, time.value(), liquid);
     Models models(casePath, solution, liquid, walls);
     FunctionObjects functions(time, liquid.properties().spacing, !trial.withoutSolid());
+    const bool relaxes = relaxesOverlap(solution);
     solution.refuseUnused();
     liquidDict.refuseUnused();
     liquid.read(time.path());
-    const Neighbourhood near(liquid);
+    Neighbourhood near(liquid);
+    if (relaxes) relaxOverlap(liquid, near, walls);
     FlowView flow(time, liquid, near, walls, models);
     functions.modelsMade(flow);
 

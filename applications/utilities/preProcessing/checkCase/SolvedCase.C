@@ -54,6 +54,7 @@ void SolvedCase::readWallsAndModels(Findings& findings)
     walls = std::move(trial);
     if (findings.attempt([&] { models = std::make_unique<Models>(path, *solution_, *liquid, *walls); }))
     {
+        findings.attempt([&] { relaxes_ = relaxesOverlap(*solution_); });
         findings.attempt([&] { solution_->refuseUnused(); });
     }
     else readModelsApart(standIn, walls.get(), findings);
@@ -89,7 +90,11 @@ void SolvedCase::readParticles(Findings& findings)
 {
     if (!liquid || !time) return;
     if (!findings.attempt([&] { liquid->read(time->path()); })) return;
-    findings.attempt([&] { refuseOverlap(*liquid, time->path()); });
+    if (!relaxes_) findings.attempt([&] { refuseOverlap(*liquid, time->path()); });
+    else if (measureCrowding(*liquid).overlaps())
+    {
+        findings.warn("the liquid overlaps itself, and is moved apart before the first step (overlaps relax)");
+    }
     if (walls && time->index() == 0) findings.attempt([&] { walls->refuseLiquidInside(*liquid); });
 }
 
