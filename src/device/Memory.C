@@ -2,6 +2,7 @@
 
 #include "core/messages/Error.H"
 #include "device/Device.H"
+#include "device/KeptMemory.H"
 
 #include <algorithm>
 #include <string>
@@ -71,6 +72,8 @@ KeptBlocks& kept()
 }
 
 }
+
+void dropKeptMemory() { kept().dropAll(); }
 
 void* allocate(std::size_t bytes)
 {

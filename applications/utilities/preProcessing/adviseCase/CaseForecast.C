@@ -2,6 +2,7 @@
 
 #include "core/arguments/runApplication.H"
 #include "core/fieldFile/AtomicFile.H"
+#include "device/KeptMemory.H"
 #include "functionObjects/FunctionObjects.H"
 #include "motion/SpeedMeter.H"
 #include "particles/ParticleFiles.H"
@@ -49,6 +50,7 @@ CaseForecast forecastCase(const TrialCase& trial, double measuredFor)
 {
     const std::filesystem::path& casePath = trial.path();
     const double begun = clockTime();
+    device::dropKeptMemory();
     deviceCounters().peakBytes = deviceCounters().bytes;        // of this case alone
     Time time(casePath);
     const Dictionary solution = Dictionary::read(casePath / "system/solution");
@@ -61,6 +63,7 @@ CaseForecast forecastCase(const TrialCase& trial, double measuredFor)
     solution.refuseUnused();
     liquidDict.refuseUnused();
     liquid.read(time.path());
+    measureCrowding(liquid);        // as the solver does: for its time, and the memory that it leaves to others
     Neighbourhood near(liquid);
     if (relaxes) relaxOverlap(liquid, near, walls);
     FlowView flow(time, liquid, near, walls, models);
