@@ -142,7 +142,7 @@ struct ListEdges
         std::uint32_t vertex = RowCounts::vertices(vertices.first[row]);
         for (std::uint32_t rest = vertices.crossed[row]; rest != 0; rest &= rest - 1)
         {
-            edges[int(vertex++)] = std::uint32_t(RowView::edges) * std::uint32_t(row) + std::uint32_t(std::countr_zero(rest));
+            edges[int(vertex++)] = std::uint32_t(RowView::edges) * std::uint32_t(row) + RowView::lowestBit(rest);
         }
     }
 };
