@@ -16,6 +16,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C
     models/density/TestDensity.C
+    models/forces/TestNetMotion.C
     models/pressure/Clavet2005/TestClavet2005.C
     models/pressure/DFSPH/TestDFSPH.C
     models/pressure/PCISPH/TestPCISPH.C

@@ -169,7 +169,9 @@ private:
             least = here;
             best = s;
         }
-        for (float step = W.h / trials; step > 0.005f * W.h; step *= 0.5f)
+        constexpr float finest = 0.01f;
+        float step = W.h / trials;
+        for (; step > finest * W.h; step *= 0.5f)
         {
             for (const float s : {best - step, best + step})
             {
@@ -179,7 +181,10 @@ private:
                 best = s;
             }
         }
-        return best;
+        // The lowest point of a parabola: a depth that moves in steps makes the contact line tremble.
+        const float before = misfit(best - step), after = misfit(best + step), bend = before + after - 2 * least;
+        const float lowest = bend > 0 ? 0.5f * (before - after) / bend : 0;
+        return best + fminf(fmaxf(lowest, -1), 1) * step;
     }
 
     HOST_DEVICE float depthOf(float ratio) const

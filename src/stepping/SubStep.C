@@ -26,6 +26,7 @@ void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, 
 
     updateVelocities(liquid, dt);
     models.pressure->correctVelocities(liquid, near, walls);
+    models.forces.correctVelocities(liquid, walls, dt);
     models.viscosity->apply(liquid, near, walls, dt);
 }
 

@@ -357,6 +357,12 @@ void Walls::requireContacts(const Liquid& liquid, float reach)
     if (solid_.all() > 0 && wanted > reach_) sortParticles(liquid, support, wanted);
 }
 
+bool Walls::oneContactAngle() const
+{
+    const auto [smallest, largest] = contactAngles();
+    return largest - smallest < 0.01;                       // degrees
+}
+
 std::pair<double, double> Walls::contactAngles(float reach) const
 {
     constexpr double degree = 3.14159265358979323846 / 180;

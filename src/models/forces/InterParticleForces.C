@@ -25,14 +25,20 @@ void InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& 
     if (everyIteration_) apply(liquid, near, walls, dt);
 }
 
+void InterParticleForces::correctVelocities(Liquid& liquid, const Walls& walls, float dt)
+{
+    if (active() && !everyIteration_) tension_->correctVelocities(liquid, walls, acceleration_, dt);
+    acceleration_ = {};
+}
+
 void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt)
 {
     if (!active()) return;
-    Buffer<Vec3> acceleration(liquid.all());
-    acceleration.setZero();
-    tension_->apply(liquid, near, walls, acceleration);
-    wetting_->apply(liquid, near, walls, acceleration);
-    displace(liquid, acceleration, dt);
+    acceleration_.resizeDiscarding(liquid.all());
+    acceleration_.setZero();
+    tension_->apply(liquid, near, walls, acceleration_);
+    wetting_->apply(liquid, near, walls, acceleration_);
+    displace(liquid, acceleration_, dt);
 }
 
 }

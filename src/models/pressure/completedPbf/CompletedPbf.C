@@ -16,20 +16,21 @@
 // G_i = sum_j V grad W_ij + grad(walls) of the neighbours as they lie, g_i what a planar surface at depth s_i has. Their
 // difference is the particle's disorder, and e_i orders the particles: under suction, where the sum alone would let them clump,
 // and twice as strongly (o = 2) under pressure, because with the sum alone a calm drop of many particles feeds its own swinging
-// (doc/theory/completedPbf.md). Ordering is internal: what all e_i of a step move as a whole is taken back at its
-// end, in the directions in which no wall holds (walls/HeldDirections.H).
+// (doc/theory/completedPbf.md). Ordering is internal: what all e_i of a step move and turn as a whole is taken back at its
+// end (models/forces/NetMotion.H). So is what walls of one contact angle give along themselves: liquid does not slide by
+// itself where it wets alike everywhere.
 //
 //     pressure    completedPbf;           // in constant/models
 //
 // Its controls stand in system/solution: shared/PressureControls.H. Trials: doc/theory/completedPbf.md.
 
 #include "freeSurface/FreeSurface.H"
-#include "models/forces/Resultant.H"
+#include "models/forces/NetMotion.H"
 #include "models/pressure/Pressure.H"
-#include "models/pressure/shared/AverageCompression.H"
 #include "models/pressure/shared/ConstraintSums.H"
 #include "models/pressure/shared/PressureControls.H"
 #include "models/pressure/shared/PressureField.H"
+#include "models/pressure/shared/SteadyIterations.H"
 
 namespace shizuku
 {
@@ -83,8 +84,8 @@ struct Displace
     Span<const Vec3> x;
     NeighbourView near;
     Span<const float> increase;
-    Span<const Vec3> push;
-    Span<Vec3> corrected;
+    Span<const Vec3> push, internal;        // internal: of it what should not move the liquid as a whole; may be empty
+    Span<Vec3> total, corrected;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
@@ -93,20 +94,9 @@ struct Displace
         Team::Vector sum;
         near.forEach(i, xi, x, [&](auto j, auto r) { sum += (increase[j] + own) * W.g(norm(r)) * r; }, team);
         const Vec3 step = volume * team.sum(sum);
-        if (team.first()) corrected[i] = xi - step - push[i];
-    }
-};
-
-struct Shift
-{
-    Vec3 by;
-    float perStep;
-    Span<Vec3> position, velocity;
-
-    HOST_DEVICE void operator()(int i) const
-    {
-        position[i] += by;
-        velocity[i] += perStep * by;
+        if (!team.first()) return;
+        corrected[i] = xi - step - push[i];
+        if (internal.size > 0) total[i] += internal[i];
     }
 };
 
@@ -137,10 +127,17 @@ public:
         {
             const auto [smallest, largest] = walls.contactAngles(surface_.support());
             extended_.emplace(liquid.kernel(), smallest, largest);
+            oneAngle_ = walls.oneContactAngle();
         }
         increase_.resizeDiscarding(liquid.all());
         push_.resizeDiscarding(liquid.owned());
-        order_.resizeDiscarding(walls.held().all() ? 0 : liquid.owned());
+        const int sliding = walls.held().all() ? 0 : liquid.owned();
+        order_.resizeDiscarding(oneAngle_ ? 0 : sliding);
+        if (iterations_ == 0)
+        {
+            total_.resizeDiscarding(sliding);
+            total_.setZero();
+        }
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -157,8 +154,7 @@ public:
             },
             liquid.kernel()
         );
-        if (iterations_ < controls_.minIterations || controls_.tolerance == 0) return true;
-        return compression_(liquid) > controls_.tolerance;
+        return steady_.wantAnother(liquid, controls_, iterations_);
     }
 
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls&) override
@@ -172,30 +168,38 @@ public:
                 forEachTeam(liquid.owned(), Displace<Kernel>
                 {
                     W, liquid.particleVolume(), liquid.predicted.span(), near.view(), increase_.span(), push_.span(),
-                    corrected.span()
+                    internal(), total_.span(), corrected.span()
                 });
             },
             liquid.kernel()
         );
-        if (order_.size() > 0) ordered_.add(liquid.owned(), order_);
         liquid.predicted.swap(corrected);
     }
 
     // The particles have their new positions and velocities.
     void correctVelocities(Liquid& liquid, const Neighbourhood&, const Walls& walls) override
     {
+        if (iterations_ > 0 && total_.size() > 0)
+        {
+            netMotion_.add(liquid.owned(), liquid.position, total_, -1);
+            netMotion_.takeBack(liquid, walls.held(), dt_);
+        }
         increase_ = {};
         push_ = {};
-        if (order_.size() == 0) return;
         order_ = {};
-        const Vec3 back = walls.held().freePart(ordered_.takeMean(liquid.owned()));
-        forEach(liquid.owned(), Shift{back, 1 / dt_, liquid.position.span(), liquid.velocity.span()});
+        total_ = {};
     }
 
     int iterations() const override { return iterations_; }
     const Buffer<float>* keepPressure() override { return &pressure_; }
 
 private:
+    Span<const Vec3> internal() const
+    {
+        if (total_.size() == 0) return {};
+        return oneAngle_ ? push_.span() : order_.span();
+    }
+
     PressureControls controls_;
     FreeSurface& surface_;
     Buffer<HalfSpaceValues> plane_;
@@ -204,9 +208,10 @@ private:
     int iterations_ = 0;
     std::optional<ExtendedLiquid> extended_;
     Buffer<float> increase_;
-    Buffer<Vec3> push_, order_;         // order_: empty where walls hold in all directions
-    Resultant ordered_;
-    AverageCompression compression_;
+    bool oneAngle_ = false;
+    Buffer<Vec3> push_, order_, total_;     // empty: order_ with one contact angle, both where walls hold in all directions
+    NetMotion netMotion_;
+    SteadyIterations steady_;
 };
 
 const PressureTable::Add<CompletedPbf> registered{"completedPbf"};

@@ -3,14 +3,15 @@
 //
 //     m_i     = -G_i/|G_i|                                        the outward normal
 //     n_i     = sum_j W_ij |G_j| m_j / |...|                      its mean over the neighbours
-//     kappa_i = 2 sum_j w_ij (x_j - x_i).(n_j - n_i) / sum_j w_ij t_ij^2,    w_ij = V |W'_ij|/r_ij,    j near the surface
+//     kappa_i = 2 sum_j w_ij (x_j - x_i).(n_j - n_i) / sum_j w_ij t_ij^2,    w_ij = V b_j |W'_ij|/r_ij,    j near the surface
 //     t_ij^2  = r_ij^2 - (x_ij . n_ij)^2                          n_ij: unit vector along n_i + n_j
 //     kappa   : brought up to the surface, kappa_i/(1 + kappa_i D_i/2), D_i the mean depth of the pairs
-//     a_i     = 2 sigma kappa G_i / rho0
+//     a_i     = 2 sigma kappa b_i G_i / rho0
 //
 // On a sphere each pair gives exactly 2/r at the pair's mean radius. The 2 of a_i: |G| integrates to one across the
-// surface, and only its inner half carries particles. Near the surface means |G| above 0.3 of a planar surface's;
-// particles with normals apart by more than a right angle lie on different surfaces.
+// surface, and only its inner half carries particles. Near the surface means |G| above 0.2 of a planar surface's; b grows
+// smoothly from 0 there to 1 at 0.4. The second layer stands about there, and a force that is switched on and off makes its
+// particles tremble. Particles with normals apart by more than a right angle lie on different surfaces.
 //
 // Every point of the wall's wedge has the normal m_c = sin(theta) t + cos(theta) n. On a curved surface that meets the wall
 // at theta the normals differ by kappa tau, with tau the distance of a particle from the contact line along the surface.
@@ -20,15 +21,15 @@
 // No cohesion enters, so no internal pressure locks the particles; sigma and theta are the user's, and nothing is fitted.
 // Where the surface is hollow the pressure behind it may fall to 1.5 sigma kappa, and to -sigma/d away from the surface.
 //
-// The tension of closed surfaces has no resultant; the sums have a small one, which would set free liquid moving. Where no
-// wall is that could hold against it, it is taken off all particles alike.
+// The tension of closed surfaces, and of those that meet a plane everywhere at one angle, does not move liquid as a whole;
+// the sums do a little, and it is taken back (models/forces/NetMotion.H).
 // What was tried, and what each choice gave, stands in doc/theory/continuumSurfaceForce.md.
 //
 //     surfaceTension  continuumSurfaceForce;
 //     continuumSurfaceForceCoeffs { support 4; }      // of the normals and the curvature, in spacings
 
 #include "freeSurface/FreeSurface.H"
-#include "models/forces/Resultant.H"
+#include "models/forces/NetMotion.H"
 #include "models/surfaceTension/SurfaceTension.H"
 
 namespace shizuku
@@ -37,7 +38,8 @@ namespace shizuku
 namespace
 {
 
-constexpr float nearSurface = 0.3f;         // of the planar |G|
+constexpr float nearSurface = 0.2f, allOfForce = 0.4f;      // of the planar |G|: b grows from 0 to 1 in between
+constexpr float halfOfForce = 0.5f * (nearSurface + allOfForce);
 constexpr float sharpest = 0.7f;            // largest |kappa|, times the spacing
 constexpr float holds = 1.5f;               // lowest pressure at a hollow surface, over sigma kappa
 constexpr float flattest = 0.05f;           // least sin(theta) for the distance from the contact line
@@ -57,18 +59,24 @@ HOST_DEVICE inline auto onSameSurface(Vec3 mi, Vector auto mj) { return squared(
 struct SmoothNormal
 {
     WendlandC2 W;
-    float least;                            // |G|
+    float steepest;                         // the planar |G|
     FreeSurfaceView surface;
     SelectedSearch near;
-    Span<Vec3> normal;                      // zero where |G| is less
+    Span<Vec3> normal;                      // zero away from the surface
+    Span<float> part;                       // b
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const int k = int(surface.place[i]);
         const Vec3 G = surface.gradient[k];
+        const float least = nearSurface * steepest;
         if (squared(G) <= least * least)
         {
-            if (team.first()) normal[k] = {};
+            if (team.first())
+            {
+                normal[k] = {};
+                part[k] = 0;
+            }
             return;
         }
         Team::Vector sums;
@@ -80,7 +88,10 @@ struct SmoothNormal
             sums -= (same ? W.W(norm(r)) : 0) * Gl;
         }, team);
         const Vec3 sum = team.sum(sums) - W.W(0) * G;
-        if (team.first()) normal[k] = 1 / norm(sum) * sum;
+        if (!team.first()) return;
+        normal[k] = 1 / norm(sum) * sum;
+        const float t = fminf((norm(G) / steepest - nearSurface) / (allOfForce - nearSurface), 1);
+        part[k] = t * t * (3 - 2 * t);
     }
 };
 
@@ -90,6 +101,7 @@ struct Force
     float volume, largest, sigma, restDensity;
     FreeSurfaceView surface;
     Span<const Vec3> normal;
+    Span<const float> part;
     SelectedSearch near;
     ExtendedLiquidView extended;
     WallView walls;
@@ -103,7 +115,7 @@ struct Force
         const float jump = sigma * curvature(i, k, team);
         if (!team.first()) return;
         lowestPressure[k] = fminf(fmaxf(holds * jump, lowestPressure[k]), 0);
-        acceleration[i] += 2 * jump / restDensity * surface.gradient[k];
+        acceleration[i] += 2 * jump / restDensity * part[k] * surface.gradient[k];
     }
 
 private:
@@ -118,7 +130,7 @@ private:
             const auto same = onSameSurface(mi, mj);
             if (noneOf(same)) return;
             const auto mean = mi + mj;
-            const auto slope = same ? -volume * W.g(norm(r)) : 0;
+            const auto slope = same ? -volume * part[l] * W.g(norm(r)) : 0;
             const auto up = dot(r, mean);
             const auto along = same ? slope * (squared(r) - up * up / squared(mean)) : 0;
             spreads -= slope * dot(r, mj - mi);
@@ -144,14 +156,6 @@ private:
         const float kappa = fminf(fmaxf(2 * spread / weight, -largest), largest);
         return kappa / fmaxf(0.3f, 1 + 0.5f * kappa * depth / weight);
     }
-};
-
-struct Shift
-{
-    Vec3 by;
-    Span<Vec3> acceleration;
-
-    HOST_DEVICE void operator()(int i) const { acceleration[i] += by; }
 };
 
 class ContinuumSurfaceForce : public SurfaceTension
@@ -182,18 +186,23 @@ public:
         const WendlandC2 W = surface_.kernel();
         if (!extended_) tabulate(walls);
         Buffer<Vec3> position(liquid.owned()), normal(liquid.owned());      // of the particles near the surface
+        Buffer<float> part(liquid.owned());
         const FreeSurfaceView view = surface_.view();
         const SelectedSearch among = near.wide(surface_.particles(), position);
         forEach(surface_.particles(), PackPositions{view.place, liquid.predicted.span(), position.span()});
-        forEachTeam(surface_.particles(), SmoothNormal{W, nearSurface * surface_.steepest(), view, among, normal.span()});
+        forEachTeam(surface_.particles(), SmoothNormal{W, surface_.steepest(), view, among, normal.span(), part.span()});
         forEachTeam(surface_.particles(), Force
         {
-            W, liquid.particleVolume(), sharpest / liquid.spacing(), sigma_, liquid.restDensity(), view, normal.span(), among,
-            extended_->view(), walls.view(), surface_.lowestPressure(), acceleration.span()
+            W, liquid.particleVolume(), sharpest / liquid.spacing(), sigma_, liquid.restDensity(), view, normal.span(), part.span(),
+            among, extended_->view(), walls.view(), surface_.lowestPressure(), acceleration.span()
         });
-        if (walls.particles() + walls.surfaces() > 0) return;
-        resultant_.add(liquid.owned(), acceleration);
-        forEach(liquid.owned(), Shift{-1 * resultant_.takeMean(liquid.owned()), acceleration.span()});
+    }
+
+    void correctVelocities(Liquid& liquid, const Walls& walls, const Buffer<Vec3>& acceleration, float dt) override
+    {
+        if (!oneAngle_ || walls.held().all()) return;
+        netMotion_.add(liquid.owned(), liquid.position, acceleration, dt * dt);
+        netMotion_.takeBack(liquid, walls.held(), dt);
     }
 
 private:
@@ -207,16 +216,18 @@ private:
         for (int k = 0; k < 40; ++k)
         {
             const float s = 0.5f * (low + high);
-            (view(s).gradient > nearSurface * surface_.steepest() ? low : high) = s;
+            (view(s).gradient > halfOfForce * surface_.steepest() ? low : high) = s;
         }
         const auto [smallest, largest] = walls.contactAngles(W.h);
         extended_.emplace(W, smallest, largest, low / W.h);
+        oneAngle_ = walls.oneContactAngle();
     }
 
     FreeSurface& surface_;
     float sigma_;
     std::optional<ExtendedLiquid> extended_;
-    Resultant resultant_;
+    bool oneAngle_ = false;
+    NetMotion netMotion_;
 };
 
 const SurfaceTensionTable::Add<ContinuumSurfaceForce> registered{"continuumSurfaceForce"};

@@ -1,0 +1,98 @@
+#include "models/forces/NetMotion.H"
+
+namespace shizuku
+{
+
+HOST_DEVICE void NetMotion::Sums::add(const Sums& other)
+{
+    n += other.n;
+    for (int c = 0; c < 3; ++c)
+    {
+        d[c] += other.d[c];
+        x[c] += other.x[c];
+        turn[c] += other.turn[c];
+        xx[c] += other.xx[c];
+        xy[c] += other.xy[c];
+    }
+}
+
+namespace
+{
+
+struct SumsOfParticle
+{
+    Span<const Vec3> position, displacement;
+    float scale;
+
+    HOST_DEVICE NetMotion::Sums operator()(int i) const
+    {
+        const Vec3 p = position[i], q = displacement[i];
+        const double x = p.x, y = p.y, z = p.z, u = scale * q.x, v = scale * q.y, w = scale * q.z;
+        return {1, {u, v, w}, {x, y, z}, {y * w - z * v, z * u - x * w, x * v - y * u}, {x * x, y * y, z * z}, {x * y, y * z, z * x}};
+    }
+};
+
+struct MoveBack
+{
+    Vec3 mean, turn, centroid;
+    float perStep;
+    Span<Vec3> position, velocity;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 by = mean + cross(turn, position[i] - centroid);
+        position[i] -= by;
+        velocity[i] -= perStep * by;
+    }
+};
+
+// The turn whose angular momentum is that of the sums, about their centroid. None where the liquid is as thin as a line.
+Vec3 turnOf(const NetMotion::Sums& sums, const HeldDirections& held)
+{
+    const double n = sums.n;
+    const double *x = sums.x, *d = sums.d;
+    const auto vec = [](double a, double b, double c) { return Vec3{float(a), float(b), float(c)}; };
+    const Vec3 momentum = held.freeTurn(vec
+    (
+        sums.turn[0] - (x[1] * d[2] - x[2] * d[1]) / n,
+        sums.turn[1] - (x[2] * d[0] - x[0] * d[2]) / n,
+        sums.turn[2] - (x[0] * d[1] - x[1] * d[0]) / n
+    ));
+    const double xx = sums.xx[0] - x[0] * x[0] / n, yy = sums.xx[1] - x[1] * x[1] / n, zz = sums.xx[2] - x[2] * x[2] / n;
+    const double xy = sums.xy[0] - x[0] * x[1] / n, yz = sums.xy[1] - x[1] * x[2] / n, zx = sums.xy[2] - x[2] * x[0] / n;
+    const double trace = xx + yy + zz;
+    if (!(trace > 0)) return {};
+    const Vec3 a = 1 / float(trace) * vec(yy + zz, -xy, -zx), b = 1 / float(trace) * vec(-xy, xx + zz, -yz),
+        c = 1 / float(trace) * vec(-zx, -yz, xx + yy);
+    const float determinant = dot(a, cross(b, c));
+    if (!(determinant > 1e-6f)) return {};
+    const Vec3 turn = 1 / float(trace) / determinant * vec(dot(momentum, cross(b, c)), dot(momentum, cross(c, a)), dot(momentum, cross(a, b)));
+    return held.freeTurn(turn);
+}
+
+}
+
+void NetMotion::add(int n, const Buffer<Vec3>& x, const Buffer<Vec3>& displacement, float scale)
+{
+    sums_.add(n, SumsOfParticle{x.span(), displacement.span(), scale});
+}
+
+void NetMotion::takeBack(Liquid& liquid, const HeldDirections& held, float dt)
+{
+    Sums sums = sums_.take();
+    if (!(sums.n > 0)) return;
+    const double times = sums.n / liquid.owned();           // how often it was added to
+    for (double* of : {sums.x, sums.xx, sums.xy})
+    {
+        for (int c = 0; c < 3; ++c) of[c] /= times;
+    }
+    sums.n /= times;
+    const auto mean = [&](const double* of) { return Vec3{float(of[0] / sums.n), float(of[1] / sums.n), float(of[2] / sums.n)}; };
+    forEach(liquid.owned(), MoveBack
+    {
+        held.freePart(mean(sums.d)), turnOf(sums, held), mean(sums.x), 1 / dt, liquid.position.span(),
+        liquid.velocity.span()
+    });
+}
+
+}

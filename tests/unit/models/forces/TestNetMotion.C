@@ -1,0 +1,88 @@
+// What displacements move and turn the liquid as a whole, along and about what no wall holds.
+
+#include "models/forces/NetMotion.H"
+
+#include "support/LiquidCase.H"
+#include "support/PointSets.H"
+
+#include <gtest/gtest.h>
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+// Momentum and angular momentum about the centroid, over the number of particles; double precision.
+struct Motion
+{
+    Vector3 mean, turn;
+};
+
+Motion motionOf(const LiquidCase& drop)
+{
+    const auto x = drop.liquid.position.download(), u = drop.liquid.velocity.download();
+    const auto wide = [](Vec3 v) { return Vector3(v.x, v.y, v.z); };
+    Vector3 centroid, mean, turn;
+    const double n = double(x.size());
+    for (const Vec3 p : x) centroid += wide(p)/n;
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+        mean += wide(u[i])/n;
+        turn += cross(wide(x[i]) - centroid, wide(u[i]))/n;
+    }
+    return {mean, turn};
+}
+
+// A block of 7 x 5 x 3 particles off the origin, with velocities of up to 0.1 at random and 0.05 along (1 2 3), made by
+// displacements in a step of 0.01, which are then taken back.
+Motion leftOver(const std::string& walls)
+{
+    LiquidCase drop({.walls = walls});
+    RandomNumbers random(5);
+    const auto points = latticeBlock(7, 5, 3, 1, {20, -30, 5});
+    std::vector<Vec3> velocities;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        velocities.push_back(random({-0.1f, -0.1f, -0.1f}, {0.1f, 0.1f, 0.1f}) + Vec3{0.05f, 0.1f, 0.15f});
+    }
+    drop.place(points, velocities);
+    const float dt = 0.01f;
+    NetMotion net;
+    net.add(drop.liquid.owned(), drop.liquid.position, drop.liquid.velocity, 0.25f * dt);      // in two parts
+    net.add(drop.liquid.owned(), drop.liquid.position, drop.liquid.velocity, 0.75f * dt);
+    net.takeBack(drop.liquid, drop.walls.held(), dt);
+    return motionOf(drop);
+}
+
+const std::string floorPlane = "floor { type plane; point (0 0 0); normal (0 0 1); }\n";
+
+// Velocities are rounded to 1e-8, turns to that times the block's 4 spacings; means of 105.
+constexpr double rounding = 1e-7;
+
+}
+
+TEST(NetMotion, IsNoneOfFreeLiquid)
+{
+    const Motion left = leftOver("");
+    EXPECT_LT(length(left.mean), rounding);
+    EXPECT_LT(length(left.turn), rounding);
+}
+
+TEST(NetMotion, StaysAcrossAPlaneAndAboutAxesInIt)
+{
+    const Motion left = leftOver(floorPlane);
+    EXPECT_LT(std::hypot(left.mean.x, left.mean.y), rounding);
+    EXPECT_NEAR(left.mean.z, 0.15, 0.03);                       // and the mean of 105 numbers at random
+    EXPECT_LT(std::abs(left.turn.z), 0.02*std::hypot(left.turn.x, left.turn.y));    // the axes of inertia are not exactly the block's
+    EXPECT_GT(std::hypot(left.turn.x, left.turn.y), 1e-3);
+}
+
+TEST(NetMotion, StaysInACornerButForItsEdge)
+{
+    const Motion left = leftOver(floorPlane + "side { type plane; point (-1 0 0); normal (1 0 0); }");
+    EXPECT_NEAR(left.mean.x, 0.05, 0.03);
+    EXPECT_LT(std::abs(left.mean.y), rounding);
+    EXPECT_NEAR(left.mean.z, 0.15, 0.03);
+    EXPECT_GT(std::abs(left.turn.z), 1e-4);
+}
