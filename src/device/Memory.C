@@ -34,12 +34,12 @@ public:
         return memory;
     }
 
-    // The oldest one goes where there are too many.
-    void bring(const Block& block)
+    // The oldest ones go where there are too many, or where they hold more than mostBytes.
+    void bring(const Block& block, std::size_t mostBytes)
     {
         blocks_.push_back(block);
         constexpr std::size_t most = 32;
-        if (blocks_.size() > most) dropOldest();
+        while (blocks_.size() > most || (blocks_.size() > 1 && bytes() > mostBytes)) dropOldest();
     }
 
     void dropAll()
@@ -102,8 +102,8 @@ void* allocate(std::size_t bytes)
 void release(void* memory, std::size_t bytes) noexcept
 {
     if (!memory) return;
-    kept().bring({memory, bytes});
     deviceCounters().bytes -= bytes;
+    kept().bring({memory, bytes}, deviceCounters().bytes);      // no more than is in use
 }
 
 void discard(void* memory, std::size_t bytes) noexcept

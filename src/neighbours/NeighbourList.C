@@ -173,7 +173,7 @@ void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, 
     {
         if (rows_.size() < rows)
         {
-            rows_ = {};
+            rows_.discard();
             rows_.resize(rows);
         }
         forEachTeam(n, FindNeighbours{search, room_, count_.span(), start_.span(), rows_.span()});
@@ -183,7 +183,7 @@ void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, 
     forEach(groups, LongestOfGroup{count_.span(), std::uint32_t(room_), groupLength_.span()});
     const int behind = int(exclusiveScan(groupLength_, before_, "rows of neighbours"));
     if (behind == 0) return;
-    if (rows_.size() - inRooms < behind) find(inRooms + behind + behind / 4);
+    if (rows_.size() - inRooms < behind) find(inRooms + behind + std::max(behind / 4, inRooms / 64));
     forEach(groups, PlaceLongGroup{std::uint32_t(inRooms), groupLength_.span(), before_.span(), start_.span()});
     forEachTeam(n, StoreNeighbours{search, groupLength_.span(), start_.span(), rows_.span()});
 #else
