@@ -344,10 +344,8 @@ PatchedSurface withHole(PatchedSurface surface, const Vector3& centre, double ra
 
 PatchedSurface crackedBox()
 {
-    return joined(withHole(box({0, 0, 0}, {12, 9, 7}), {6, 4.5, 7}, 3), patchOf("box", 5, 3, false, false, [](double u, double v)
-    {
-        return Vector3(12*u, 9*v, 7);
-    }));
+    const auto top = [](double u, double v) { return Vector3(12*u, 9*v, 7); };
+    return joined(withHole(box({0, 0, 0}, {12, 9, 7}), {6, 4.5, 7}, 3), patchOf("box", 5, 3, false, false, top));
 }
 
 }

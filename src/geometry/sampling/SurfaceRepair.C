@@ -243,7 +243,8 @@ RepairedSurface repairSurface(const PatchedSurface& input, double largestHole, c
     Mesh mesh = orient(soup, report);
     RepairPatches patch = patchesOf(mesh);
     for (const Face face : mesh.faces()) patch[face] = soup.patch[face];
-    if (const std::size_t n = closeCracks(mesh, crackWidth*largestHole)) report.push_back(count(n, "edge", "along cracks joined"));
+    const std::size_t joined = closeCracks(mesh, crackWidth*largestHole);
+    if (joined > 0) report.push_back(count(joined, "edge", "along cracks joined"));
     closeHoles(mesh, patch, std::min(largestHole, 0.5*extent), report);
     uniteShells(mesh, report);
     result.surface = collect(mesh, patchesOf(mesh), input.patches);

@@ -28,7 +28,11 @@ struct SumsOfParticle
     {
         const Vec3 p = position[i], q = displacement[i];
         const double x = p.x, y = p.y, z = p.z, u = scale * q.x, v = scale * q.y, w = scale * q.z;
-        return {1, {u, v, w}, {x, y, z}, {y * w - z * v, z * u - x * w, x * v - y * u}, {x * x, y * y, z * z}, {x * y, y * z, z * x}};
+        return
+        {
+            1, {u, v, w}, {x, y, z}, {y * w - z * v, z * u - x * w, x * v - y * u}, {x * x, y * y, z * z},
+            {x * y, y * z, z * x}
+        };
     }
 };
 
@@ -66,8 +70,8 @@ Vec3 turnOf(const NetMotion::Sums& sums, const HeldDirections& held)
         c = 1 / float(trace) * vec(-zx, -yz, xx + yy);
     const float determinant = dot(a, cross(b, c));
     if (!(determinant > 1e-6f)) return {};
-    const Vec3 turn = 1 / float(trace) / determinant * vec(dot(momentum, cross(b, c)), dot(momentum, cross(c, a)), dot(momentum, cross(a, b)));
-    return held.freeTurn(turn);
+    const Vec3 turn = vec(dot(momentum, cross(b, c)), dot(momentum, cross(c, a)), dot(momentum, cross(a, b)));
+    return held.freeTurn(1 / (float(trace) * determinant) * turn);
 }
 
 }
@@ -87,7 +91,10 @@ void NetMotion::takeBack(Liquid& liquid, const HeldDirections& held, float dt)
         for (int c = 0; c < 3; ++c) of[c] /= times;
     }
     sums.n /= times;
-    const auto mean = [&](const double* of) { return Vec3{float(of[0] / sums.n), float(of[1] / sums.n), float(of[2] / sums.n)}; };
+    const auto mean = [&](const double* of)
+    {
+        return Vec3{float(of[0] / sums.n), float(of[1] / sums.n), float(of[2] / sums.n)};
+    };
     forEach(liquid.owned(), MoveBack
     {
         held.freePart(mean(sums.d)), turnOf(sums, held), mean(sums.x), 1 / dt, liquid.position.span(),

@@ -193,8 +193,8 @@ public:
         forEachTeam(surface_.particles(), SmoothNormal{W, surface_.steepest(), view, among, normal.span(), part.span()});
         forEachTeam(surface_.particles(), Force
         {
-            W, liquid.particleVolume(), sharpest / liquid.spacing(), sigma_, liquid.restDensity(), view, normal.span(), part.span(),
-            among, extended_->view(), walls.view(), surface_.lowestPressure(), acceleration.span()
+            W, liquid.particleVolume(), sharpest / liquid.spacing(), sigma_, liquid.restDensity(), view, normal.span(),
+            part.span(), among, extended_->view(), walls.view(), surface_.lowestPressure(), acceleration.span()
         });
     }
 

@@ -74,7 +74,8 @@ TEST(NetMotion, StaysAcrossAPlaneAndAboutAxesInIt)
     const Motion left = leftOver(floorPlane);
     EXPECT_LT(std::hypot(left.mean.x, left.mean.y), rounding);
     EXPECT_NEAR(left.mean.z, 0.15, 0.03);                       // and the mean of 105 numbers at random
-    EXPECT_LT(std::abs(left.turn.z), 0.02*std::hypot(left.turn.x, left.turn.y));    // the axes of inertia are not exactly the block's
+    // The axes of inertia are not exactly the block's.
+    EXPECT_LT(std::abs(left.turn.z), 0.02*std::hypot(left.turn.x, left.turn.y));
     EXPECT_GT(std::hypot(left.turn.x, left.turn.y), 1e-3);
 }
 
