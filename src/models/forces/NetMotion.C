@@ -5,7 +5,6 @@ namespace shizuku
 
 HOST_DEVICE void NetMotion::Sums::add(const Sums& other)
 {
-    n += other.n;
     for (int c = 0; c < 3; ++c)
     {
         d[c] += other.d[c];
@@ -30,7 +29,7 @@ struct SumsOfParticle
         const double x = p.x, y = p.y, z = p.z, u = scale * q.x, v = scale * q.y, w = scale * q.z;
         return
         {
-            1, {u, v, w}, {x, y, z}, {y * w - z * v, z * u - x * w, x * v - y * u}, {x * x, y * y, z * z},
+            {u, v, w}, {x, y, z}, {y * w - z * v, z * u - x * w, x * v - y * u}, {x * x, y * y, z * z},
             {x * y, y * z, z * x}
         };
     }
@@ -51,9 +50,8 @@ struct MoveBack
 };
 
 // The turn whose angular momentum is that of the sums, about their centroid. None where the liquid is as thin as a line.
-Vec3 turnOf(const NetMotion::Sums& sums, const HeldDirections& held)
+Vec3 turnOf(const NetMotion::Sums& sums, double n, const HeldDirections& held)
 {
-    const double n = sums.n;
     const double *x = sums.x, *d = sums.d;
     const auto vec = [](double a, double b, double c) { return Vec3{float(a), float(b), float(c)}; };
     const Vec3 momentum = held.freeTurn(vec
@@ -76,28 +74,18 @@ Vec3 turnOf(const NetMotion::Sums& sums, const HeldDirections& held)
 
 }
 
-void NetMotion::add(int n, const Buffer<Vec3>& x, const Buffer<Vec3>& displacement, float scale)
+void NetMotion::takeBack
+(
+    Liquid& liquid, const Buffer<Vec3>& displacement, float scale, const HeldDirections& held, float dt
+)
 {
-    sums_.add(n, SumsOfParticle{x.span(), displacement.span(), scale});
-}
-
-void NetMotion::takeBack(Liquid& liquid, const HeldDirections& held, float dt)
-{
-    Sums sums = sums_.take();
-    if (!(sums.n > 0)) return;
-    const double times = sums.n / liquid.owned();           // how often it was added to
-    for (double* of : {sums.x, sums.xx, sums.xy})
+    const int n = liquid.owned();
+    if (n == 0) return;
+    const Sums sums = reduce(n, SumsOfParticle{liquid.position.span(), displacement.span(), scale}, scratch_);
+    const auto mean = [&](const double* of) { return Vec3{float(of[0] / n), float(of[1] / n), float(of[2] / n)}; };
+    forEach(n, MoveBack
     {
-        for (int c = 0; c < 3; ++c) of[c] /= times;
-    }
-    sums.n /= times;
-    const auto mean = [&](const double* of)
-    {
-        return Vec3{float(of[0] / sums.n), float(of[1] / sums.n), float(of[2] / sums.n)};
-    };
-    forEach(liquid.owned(), MoveBack
-    {
-        held.freePart(mean(sums.d)), turnOf(sums, held), mean(sums.x), 1 / dt, liquid.position.span(),
+        held.freePart(mean(sums.d)), turnOf(sums, n, held), mean(sums.x), 1 / dt, liquid.position.span(),
         liquid.velocity.span()
     });
 }

@@ -179,11 +179,7 @@ public:
     // The particles have their new positions and velocities.
     void correctVelocities(Liquid& liquid, const Neighbourhood&, const Walls& walls) override
     {
-        if (iterations_ > 0 && total_.size() > 0)
-        {
-            netMotion_.add(liquid.owned(), liquid.position, total_, -1);
-            netMotion_.takeBack(liquid, walls.held(), dt_);
-        }
+        if (iterations_ > 0 && total_.size() > 0) netMotion_.takeBack(liquid, total_, -1, walls.held(), dt_);
         increase_ = {};
         push_ = {};
         order_ = {};

@@ -201,8 +201,7 @@ public:
     void correctVelocities(Liquid& liquid, const Walls& walls, const Buffer<Vec3>& acceleration, float dt) override
     {
         if (!oneAngle_ || walls.held().all()) return;
-        netMotion_.add(liquid.owned(), liquid.position, acceleration, dt * dt);
-        netMotion_.takeBack(liquid, walls.held(), dt);
+        netMotion_.takeBack(liquid, acceleration, dt * dt, walls.held(), dt);
     }
 
 private:

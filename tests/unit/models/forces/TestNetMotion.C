@@ -49,9 +49,8 @@ Motion leftOver(const std::string& walls)
     drop.place(points, velocities);
     const float dt = 0.01f;
     NetMotion net;
-    net.add(drop.liquid.owned(), drop.liquid.position, drop.liquid.velocity, 0.25f * dt);      // in two parts
-    net.add(drop.liquid.owned(), drop.liquid.position, drop.liquid.velocity, 0.75f * dt);
-    net.takeBack(drop.liquid, drop.walls.held(), dt);
+    Buffer<Vec3> made(drop.liquid.velocity.download());
+    net.takeBack(drop.liquid, made, dt, drop.walls.held(), dt);
     return motionOf(drop);
 }
 
