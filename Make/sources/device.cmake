@@ -74,6 +74,7 @@ set(SHIZUKU_DEVICE_SOURCES
     functionObjects/energy/Energy.C
     functionObjects/liquidState/LiquidStateTable.C
     functionObjects/probes/Probes.C
+    functionObjects/runTimeControl/RunTimeControl.C
     functionObjects/spreadDiameter/SpreadDiameter.C
     functionObjects/stepTime/StepTime.C
     functionObjects/volume/Volume.C

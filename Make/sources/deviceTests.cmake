@@ -12,6 +12,7 @@ set(SHIZUKU_DEVICE_TESTS
     functionObjects/TestFunctionControl.C
     functionObjects/TestFunctionObjects.C
     functionObjects/TestProbes.C
+    functionObjects/TestRunTimeControl.C
     maths/TestKernel.C
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C

@@ -33,7 +33,7 @@ public:
         table_.addRow({flow.time.value(), std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2])});
     }
 
-    WriteJob writing() override { return table_.writing(); }
+    const CsvFile* table() const override { return &table_; }
 
 private:
     std::optional<std::array<double, 3>> first_;        // m

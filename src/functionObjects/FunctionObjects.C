@@ -3,6 +3,8 @@
 #include "core/fieldFile/BackgroundWriter.H"
 #include "surface/CaseSurface.H"
 
+#include <algorithm>
+
 namespace shizuku
 {
 
@@ -25,11 +27,12 @@ FunctionObjects::FunctionObjects(const Time& time, double spacing, bool enabled)
         );
         entries_.push_back
         ({
-            std::move(object), FunctionControl::execute(dict, time.deltaT()), FunctionControl::write(dict, time.deltaT())
+            name, std::move(object), FunctionControl::execute(dict, time.deltaT()), FunctionControl::write(dict, time.deltaT())
         });
         dict.refuseUnused();
     }
     functions.refuseUnused();           // a value is no function object, unless a macro takes it
+    for (Entry& entry : entries_) entry.object->connect(*this);
 }
 
 void FunctionObjects::execute(FlowView& flow)
@@ -38,7 +41,7 @@ void FunctionObjects::execute(FlowView& flow)
     {
         if (!entry.executeControl.due(flow.time)) continue;
         entry.object->execute(flow);
-        entry.unwritten = true;
+        entry.unwritten = entry.object->table() != nullptr;
     }
 }
 
@@ -51,6 +54,28 @@ void FunctionObjects::write(const Time& time, BackgroundWriter& writer)
         writer.add(entry.object->writing());
         entry.unwritten = false;
     }
+}
+
+std::string FunctionObjects::reasonToEnd() const
+{
+    for (const Entry& entry : entries_)
+    {
+        const std::string reason = entry.object->reasonToEnd();
+        if (!reason.empty()) return entry.name + ": " + reason;
+    }
+    return {};
+}
+
+const CsvFile& FunctionObjects::tableOf(const Dictionary& dict, const std::string& key) const
+{
+    std::vector<std::string> names;
+    for (const Entry& entry : entries_)
+    {
+        if (entry.object->table()) names.push_back(entry.name);
+    }
+    const std::string name = dict.lookupChoice(key, names);
+    const auto named = [&](const Entry& entry) { return entry.name == name; };
+    return *std::find_if(entries_.begin(), entries_.end(), named)->object->table();
 }
 
 void FunctionObjects::modelsMade(FlowView& flow)

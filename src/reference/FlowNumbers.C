@@ -1,6 +1,7 @@
 #include "reference/FlowNumbers.H"
 
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 namespace shizuku
@@ -23,6 +24,11 @@ FlowNumbers flowNumbers(const FlowScales& s)
         ratio(s.density*s.viscosity*s.speed, s.surfaceTension),
         std::sqrt(ratio(s.density*s.viscosity*s.viscosity, s.surfaceTension*s.length))
     };
+}
+
+double capillarySpeed(double surfaceTension, double density, double volume)
+{
+    return std::sqrt(surfaceTension/(density*std::cbrt(3*volume/(4*std::numbers::pi))));
 }
 
 std::string describe(const FlowScales& scales)

@@ -39,6 +39,14 @@ void reportStep(const SubSteps& steps, FlowView& flow)
         << executionTime() << std::endl;
 }
 
+void stopWhereAsked(Time& time, const FunctionObjects& functions)
+{
+    const std::string reason = functions.reasonToEnd();
+    if (reason.empty() || !time.running()) return;
+    std::cout << "\nThe next step is the last. " << reason << std::endl;
+    time.stop();
+}
+
 void reportCosts(const Liquid& liquid, const BackgroundWriter& writer)
 {
     const std::size_t bytes = deviceCounters().peakBytes;

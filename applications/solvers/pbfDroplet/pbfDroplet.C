@@ -82,6 +82,7 @@ void pbfDroplet(const Arguments& args)
 
         flow.moved(steps.dt);
         functions.execute(flow);
+        stopWhereAsked(time, functions);
         if (time.reportDue()) reportStep(steps, flow);
         if (time.writeDue()) writer.add(time.writing(fields.copy(flow.liquid(), liquid.units(), time.format())));
         functions.write(time, writer);

@@ -37,20 +37,21 @@ std::string cellText(const std::string& value)
 }
 
 CsvFile::CsvFile(std::filesystem::path file, std::vector<Column> columns)
-    : file_(std::move(file)), columns_(columns.size())
+    : file_(std::move(file))
 {
     const char* separator = "";
     for (const Column& column : columns)
     {
         text_ += std::exchange(separator, ",");
         text_ += cellText(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]");
+        columns_.push_back(column.name);
     }
     text_ += '\n';
 }
 
 void CsvFile::addRow(const std::vector<Cell>& cells)
 {
-    if (cells.size() != columns_) throw std::logic_error("CsvFile: a row has not one cell a column");
+    if (cells.size() != columns_.size()) throw std::logic_error("CsvFile: a row has not one cell a column");
     const char* separator = "";
     for (const Cell& cell : cells)
     {
@@ -58,6 +59,7 @@ void CsvFile::addRow(const std::vector<Cell>& cells)
         std::visit([&](const auto& value) { text_ += cellText(value); }, cell);
     }
     text_ += '\n';
+    lastRow_ = cells;
     ++rows_;
 }
 

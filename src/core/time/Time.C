@@ -141,6 +141,12 @@ bool Time::running() const
     return beforeEnd();
 }
 
+void Time::stop()
+{
+    controls_.stopAt = StopAt::writeNow;
+    stopIndex_ = state_.index;
+}
+
 void Time::advance()
 {
     if (state_.index == start_.index)

@@ -43,7 +43,7 @@ public:
         }
     }
 
-    WriteJob writing() override { return table_.writing(); }
+    const CsvFile* table() const override { return &table_; }
 
 private:
     DropMeasurement measurement_;

@@ -47,7 +47,7 @@ public:
         });
     }
 
-    WriteJob writing() override { return table_.writing(); }
+    const CsvFile* table() const override { return &table_; }
 
 private:
     // Free area less the wetted area times cos theta, m2.

@@ -82,7 +82,7 @@ public:
         for (std::size_t probe = 0; probe < places_.size(); ++probe) table_.addRow(row(flow, probe));
     }
 
-    WriteJob writing() override { return table_.writing(); }
+    const CsvFile* table() const override { return &table_; }
 
     void modelsMade(FlowView& flow) override
     {

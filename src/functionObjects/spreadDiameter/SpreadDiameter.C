@@ -58,7 +58,7 @@ public:
         }
     }
 
-    WriteJob writing() override { return table_.writing(); }
+    const CsvFile* table() const override { return &table_; }
 
 private:
     WettedSurface surface_;

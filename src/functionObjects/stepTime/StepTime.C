@@ -33,9 +33,11 @@ public:
         last_ = Clock::now();
     }
 
+    const CsvFile* table() const override { return &table_; }
+
     WriteJob writing() override
     {
-        WriteJob job = table_.writing();
+        WriteJob job = FunctionObject::writing();
         last_ = Clock::now();
         return job;
     }

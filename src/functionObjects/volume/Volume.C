@@ -34,7 +34,7 @@ public:
         table_.addRow(row);
     }
 
-    WriteJob writing() override { return table_.writing(); }
+    const CsvFile* table() const override { return &table_; }
 
 private:
     static std::vector<CsvFile::Column> columns(bool crowded)

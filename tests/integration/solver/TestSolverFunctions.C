@@ -109,6 +109,37 @@ TEST_P(Functions, ProbesReadTheHydrostaticPressure)
     }
 }
 
+// The block falls at 0.3 m/s at first. A condition that holds from the first step on for 2 ms is satisfied at the third, and the
+// fourth is the last: written though no time of writing, with complete tables, those at the end of the run too. Started again
+// the run goes on from there for as long, to the state of a run that was not ended.
+TEST_P(Functions, RunTimeControlEndsTheRunAndLeavesItComplete)
+{
+    fill({0, 0, -0.3});
+    const std::string endless = "endTime 1; writeInterval 1000;", objects = "functions { drop { type liquidState; }"
+        " spread { type spreadDiameter; wall floor; executeControl onEnd; }";
+    control
+    (
+        endless + objects + " until { type runTimeControl; conditions { slow { type minMax; functionObject drop;"
+        " fields (maxSpeed); mode minimum; value 1; duration 2e-3; } } } }"
+    );
+    Outcome outcome = solve();
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"The next step is the last. until: maxSpeed below 1 for 0.002 s"}));
+    EXPECT_TRUE(exists("0.004/liquid/positions"));
+    EXPECT_EQ(rows("drop/0/liquidState.csv").size(), 4u);
+    EXPECT_EQ(rows("spread/0/spreadDiameter.csv").size(), 1u);
+
+    outcome = solve();
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_EQ(rows("drop/0.004/liquidState.csv").size(), 4u);
+    const Contents ended = contents("0.008");
+    removeResults();
+    control("endTime 8e-3; writeInterval 4;");
+    outcome = solve();
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(same(ended, contents("0.008")));
+}
+
 TEST_P(Functions, RefuseBadEntries)
 {
     control("\nfunctions { a { type contactAngle; wall wal; } }");

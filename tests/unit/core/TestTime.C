@@ -403,6 +403,19 @@ TEST(Time, ActsOnAChangedControlDict)
     EXPECT_TRUE(time.writeDue());
 }
 
+TEST(Time, StopMakesTheNextStepTheLastAndWritesIt)
+{
+    const Case folder(tenSteps);
+    Time time(folder.path());
+    time.advance();
+    time.advance();
+    time.stop();
+    EXPECT_TRUE(time.running());
+    EXPECT_EQ(folder.run(time), Names{"0.3"});
+    Time again(folder.path());                  // a new run makes its own way to endTime
+    EXPECT_EQ(folder.run(again), (Names{"0.5", "1"}));
+}
+
 TEST(Time, StopsWhenTheChangedControlDictSaysSo)
 {
     for (const auto& [stopAt, expected] : std::vector<std::pair<std::string, Names>>

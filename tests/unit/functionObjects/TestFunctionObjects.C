@@ -9,11 +9,7 @@ using namespace shizuku::test;
 TEST(FunctionObjects, LiquidStateMeasuresTheDensityOfItsRow)
 {
     FlowCase flow("drop { type liquidState; }");
-    const auto lastError = [&]
-    {
-        const std::string table = flow.table("drop/0/liquidState.csv");
-        return std::stod(table.substr(table.rfind(',') + 1));
-    };
+    const auto lastError = [&] { return flow.value("drop/0/liquidState.csv", "maxDensityError"); };
     std::vector<Vec3> crowd;
     for (int i = 0; i < 1000; ++i) crowd.push_back({0.7f * float(i % 10), 0.7f * float(i / 10 % 10), 0.7f * float(i / 100)});
     flow.step(crowd);

@@ -5,6 +5,7 @@
 #include "geometry/CaseGravity.H"
 #include "geometry/LiquidFiles.H"
 #include "geometry/PlyFile.H"
+#include "reference/FlowNumbers.H"
 
 #include <cmath>
 #include <numbers>
@@ -34,7 +35,7 @@ TriangleMesh CaseResults::surface(const TimeFolder& time) const { return readPly
 
 double CaseResults::radius() const { return std::cbrt(3*liquidVolume()/(4*std::numbers::pi)); }
 
-double CaseResults::capillarySpeed() const { return std::sqrt(sigma/(rho*radius())); }
+double CaseResults::capillarySpeed() const { return shizuku::capillarySpeed(sigma, rho, liquidVolume()); }
 
 CsvTable CaseResults::table(const std::string& name, const std::string& file) const
 {

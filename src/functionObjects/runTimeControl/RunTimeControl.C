@@ -1,0 +1,140 @@
+// Ends the run when a condition on what other function objects measure is satisfied, as in OpenFOAM.
+//
+//     untilRest
+//     {
+//         type            runTimeControl;
+//         conditions
+//         {
+//             rest
+//             {
+//                 type            minMax;
+//                 functionObject  drop;                   // a liquidState, say
+//                 fields          (rmsOverCapillary);     // columns of its table
+//                 mode            minimum;                // minimum: they are below the value; maximum: above
+//                 value           1e-3;
+//                 duration        0.05;                   // s [0]: and have been so for as long
+//             }
+//         }
+//     }
+//
+// Any one of several conditions ends the run. It makes one more step, which is written as stopAt writeNow does; endTime holds as
+// ever. A condition looks at the row that was measured last, of several rows a time at the last one; what is not a number
+// satisfies nothing. A duration is counted from the start of the run: a run that ended and is started again goes on for it.
+
+#include "functionObjects/FunctionObjects.H"
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+
+namespace shizuku
+{
+
+namespace
+{
+
+class Condition
+{
+public:
+    explicit Condition(const Dictionary& dict)
+    :
+        dict_(dict), fields_(dict.lookup<std::vector<std::string>>("fields")),
+        below_(dict.lookupChoice("mode", {"minimum", "maximum"}) == "minimum"), value_(dict.lookup<double>("value")),
+        duration_(dict.found("duration") ? dict.lookupPositive("duration", dimensions::time, true) : 0)
+    {
+        dict.lookup<std::string>("functionObject");         // read again when all are made
+        if (fields_.empty()) throw FatalInputError(dict.where("fields"), "There is no field", "one at least");
+    }
+
+    void connect(const FunctionObjects& all)
+    {
+        table_ = &all.tableOf(dict_, "functionObject");
+        const std::vector<std::string>& names = table_->columns();
+        for (const std::string& field : fields_)
+        {
+            const auto found = std::find(names.begin(), names.end(), field);
+            if (found == names.end())
+            {
+                throw FatalInputError
+                (
+                    dict_.where("fields"), "There is no field '" + field + "' in " + table_->file().filename().string(),
+                    "one of", names, field
+                );
+            }
+            columns_.push_back(found - names.begin());
+        }
+    }
+
+    bool satisfied(double time)
+    {
+        const std::vector<CsvFile::Cell>& row = table_->lastRow();
+        const auto holds = [&](std::size_t column)
+        {
+            const double* const number = std::get_if<double>(&row[column]);
+            return number && (below_ ? *number < value_ : *number > value_);
+        };
+        if (row.empty() || !std::all_of(columns_.begin(), columns_.end(), holds)) since_.reset();
+        else if (!since_) since_ = time;
+        return since_ && time - *since_ >= (1 - 1e-9) * duration_;
+    }
+
+    std::string text() const
+    {
+        std::ostringstream text;
+        for (const std::string& field : fields_) text << (&field == &fields_.front() ? "" : ", ") << field;
+        text << (below_ ? " below " : " above ") << value_;
+        if (duration_ > 0) text << " for " << duration_ << " s";
+        return text.str();
+    }
+
+private:
+    Dictionary dict_;
+    std::vector<std::string> fields_;
+    bool below_;
+    double value_, duration_;
+    const CsvFile* table_ = nullptr;
+    std::vector<std::size_t> columns_;
+    std::optional<double> since_;           // s
+};
+
+class RunTimeControl : public FunctionObject
+{
+public:
+    RunTimeControl(const Dictionary& dict, const FunctionSetting&)
+    {
+        const Dictionary conditions = dict.subDict("conditions");
+        for (const std::string& name : conditions.dictKeys())
+        {
+            const Dictionary each = conditions.subDict(name);
+            each.lookupChoice("type", {"minMax"});
+            conditions_.emplace_back(each);
+        }
+        if (conditions_.empty()) throw FatalInputError(conditions.where(), "There is no condition", "rest { type minMax; ... }");
+    }
+
+    void connect(const FunctionObjects& all) override
+    {
+        for (Condition& condition : conditions_) condition.connect(all);
+    }
+
+    void execute(FlowView& flow) override
+    {
+        reason_.clear();
+        for (Condition& condition : conditions_)
+        {
+            if (condition.satisfied(flow.time.value())) reason_ = condition.text();
+        }
+    }
+
+    std::string reasonToEnd() const override { return reason_; }
+
+private:
+    std::vector<Condition> conditions_;
+    std::string reason_;
+};
+
+const FunctionObjectTable::Add<RunTimeControl> registered{"runTimeControl"};
+
+}
+
+}
