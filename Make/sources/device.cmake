@@ -12,6 +12,9 @@ set(SHIZUKU_DEVICE_SOURCES
     neighbours/NeighbourList.C
     neighbours/Neighbourhood.C
     walls/HalfSpace.C
+    walls/TangentPlanes.C
+    walls/SampledLayer.C
+    walls/LiquidInside.C
     walls/Walls.C
     freeSurface/ExtendedLiquid.C
     freeSurface/FreeSurface.C

@@ -1,0 +1,73 @@
+#include "walls/LiquidInside.H"
+
+#include "device/Reduce.H"
+#include "geometry/NearestPoint.H"
+
+#include <limits>
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct FirstInside
+{
+    static constexpr int none = std::numeric_limits<int>::max();
+
+    int particle = none, surface = 0;
+
+    HOST_DEVICE void add(const FirstInside& other)
+    {
+        if (other.particle < particle) *this = other;
+    }
+};
+
+struct InsideSurface
+{
+    WallSurfacesView surfaces;
+    float nearest;                  // distance that is far enough
+    Span<const Vec3> position;
+
+    HOST_DEVICE FirstInside operator()(int i) const
+    {
+        for (int a = 0; a < surfaces.count; ++a)
+        {
+            if (surfaces.surface[a](position[i]).distance < nearest) return {i, a};
+        }
+        return {};
+    }
+};
+
+}
+
+std::optional<LiquidInside> liquidInside(const Liquid& liquid, const WallSurfacesView& surfaces)
+{
+    if (surfaces.count == 0) return {};
+    Buffer<FirstInside> scratch;
+    const InsideSurface inside{surfaces, 0.25f * liquid.spacing(), liquid.position.span()};
+    const FirstInside first = reduce(liquid.owned(), inside, scratch);
+    if (first.particle == FirstInside::none) return {};
+    return LiquidInside{first.particle, first.surface};
+}
+
+std::optional<LiquidInside> liquidInside(const Liquid& liquid, const SolidParticles& solid)
+{
+    if (solid.positions.empty()) return {};
+    const NearestPoint nearest(solid.positions);
+    const double d = liquid.properties().spacing, unit = liquid.units().length;
+    const auto positions = liquid.position.download();
+    for (int i = 0; i < liquid.owned(); ++i)
+    {
+        const Vector3 x(positions[i].x * unit, positions[i].y * unit, positions[i].z * unit);
+        const std::size_t k = nearest(x);
+        const Vector3 r = x - solid.positions[k];
+        const double height = dot(r, solid.normals[k]);
+        // Behind the layer; but not beside its border, where the nearest particle is far off to one side.
+        const bool behind = height < 0 && squaredLength(r) - height * height < d * d;
+        if (behind || squaredLength(r) < 0.25 * d * d) return LiquidInside{i, int(solid.patch[k])};
+    }
+    return {};
+}
+
+}

@@ -1,0 +1,133 @@
+#include "walls/SampledLayer.H"
+
+#include "device/ForEach.H"
+#include "particles/ParticleFiles.H"
+
+#include <algorithm>
+#include <numeric>
+
+namespace shizuku
+{
+
+namespace
+{
+
+template<class Kernel>
+struct VirtualVolume
+{
+    Kernel W;
+    CellGridView grid;
+    Span<const Vec3> position;
+    Span<float> volume;
+
+    HOST_DEVICE void operator()(int k) const
+    {
+        float sum = 0;
+        grid.forEachCandidate(position[k], W.h, [&](int l) { sum += W.W(norm(position[k] - position[l])); });
+        volume[k] = 1 / sum;
+    }
+};
+
+}
+
+SampledLayer::SampledLayer(const std::filesystem::path& casePath, const SourceLocation& asked, const Liquid& liquid)
+:
+    position_(solid_.fields().add<Vec3>({.name = "positions", .dimensions = dimensions::length, .restarted = true})),
+    normal_(solid_.fields().add<Vec3>({.name = "normals", .dimensions = dimensions::none, .restarted = true})),
+    volume_(solid_.fields().add<float>({.name = "volume", .dimensions = dimensions::volume}))
+{
+    const auto folder = casePath / "constant/solid";
+    if (!std::filesystem::exists(folder / "positions"))
+    {
+        throw FatalInputError
+        (
+            asked, "There are no solid particles for the walls of type particles: "
+          + (folder / "positions").string() + " is missing", "run sampleSurface first"
+        );
+    }
+    readParticles(solid_, liquid.units(), folder);
+
+    std::vector<std::uint32_t> order(solid_.all());
+    std::iota(order.begin(), order.end(), 0u);
+    order_.upload(order);
+    sort(liquid, liquid.support(), liquid.support());
+    computeVirtualVolumes(liquid);
+}
+
+void SampledLayer::sort(const Liquid& liquid, float support, float reach)
+{
+    // A search reaches two cells at most, a little less than that.
+    grid_.emplace(std::max(support, 0.501f * reach), reach);
+    // Rows for a fifth more than what a flat layer, a triangular lattice, has within the support.
+    const float supports = support / liquid.spacing();
+    near_.emplace(support, int(1.2f * 3.63f * supports * supports));
+    reach_ = reach;
+    const Buffer<std::uint32_t>& order = grid_->build(position_.span(), solid_.all());
+    solid_.fields().reorder(order);
+    std::vector<std::uint32_t> now = order.download();
+    const auto before = order_.download();
+    for (std::uint32_t& k : now) k = before[k];
+    order_.upload(now);
+}
+
+void SampledLayer::computeVirtualVolumes(const Liquid& liquid)
+{
+    std::visit
+    (
+        [&](const auto& W) { forEach(solid_.all(), VirtualVolume{W, grid_->view(), position_.span(), volume_.span()}); },
+        liquid.kernel()
+    );
+}
+
+void SampledLayer::hold(HeldDirections& held) const
+{
+    for (const Vec3& n : normal_.download()) held.hold(n);
+}
+
+void SampledLayer::requirePlanes(const Liquid& liquid, float reach)
+{
+    if (solid_.all() == 0) return;
+    // From the layer, half a spacing inside of the solid, with room for the patch that gives the plane.
+    const float wanted = reach + 1.5f * liquid.spacing();
+    // Particles move, by less than half a spacing, after the lists are made.
+    const float support = liquid.support() + 0.5f * liquid.spacing();
+    if (wanted > reach_) sort(liquid, support, wanted);
+    planes_.emplace(grid_->view(), reach_);
+}
+
+void SampledLayer::useCosines(const std::vector<float>& cosines)
+{
+    if (!cosTheta_) cosTheta_ = &solid_.fields().add<float>({.name = "cosTheta", .dimensions = dimensions::none});
+    const auto order = order_.download();
+    std::vector<float> sorted(order.size());
+    for (std::size_t k = 0; k < sorted.size(); ++k) sorted[k] = cosines[order[k]];
+    cosTheta_->upload(sorted);
+}
+
+std::vector<float> SampledLayer::cosines() const
+{
+    const auto order = order_.download();
+    const auto sorted = cosTheta_->download();
+    std::vector<float> cosines(sorted.size());
+    for (std::size_t k = 0; k < sorted.size(); ++k) cosines[order[k]] = sorted[k];
+    return cosines;
+}
+
+void SampledLayer::update(const Liquid& liquid)
+{
+    if (solid_.all() == 0) return;
+    near_->build(liquid.predicted.span(), liquid.owned(), *grid_, position_.span(), false);
+    if (planes_) planes_->fit(liquid, grid_->view(), view(), near_->support());
+}
+
+WallParticlesView SampledLayer::view() const
+{
+    if (solid_.all() == 0) return {};
+    return
+    {
+        near_->view(), position_.span(), normal_.span(), volume_.span(),
+        cosTheta_ ? Span<const float>(cosTheta_->span()) : Span<const float>{}
+    };
+}
+
+}
