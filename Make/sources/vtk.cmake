@@ -3,9 +3,11 @@ set(SHIZUKU_VTK_SOURCES
     geometry/thetaModels/ImageTheta.C
     vtk/GreyImage.C
     vtk/Picture.C
+    vtk/PictureParts.C
     vtk/PngChunks.C
     vtk/SoftShadow.C
     vtk/StudioFloor.C
+    vtk/StudioSurroundings.C
     vtk/TimeSeries.C
     vtk/VirtualDisplay.C
     vtk/VtkConversion.C

@@ -7,8 +7,7 @@
 #include "maths/Lattice.H"
 #include "surface/Indicator.H"
 #include "surface/NodeRows.H"
-
-#include <numbers>
+#include "surface/PlaceVertices.H"
 
 namespace shizuku
 {
@@ -16,23 +15,8 @@ namespace shizuku
 namespace
 {
 
-constexpr float level = 0.5f;
 constexpr float wideSupport = 1.75f;        // of the second smoothing, supports of the first
 constexpr float meanSquares = 3.9f;         // of a triangle's sides, their sum, cells^2; by area, on a sphere
-
-PlaneMoments momentsOf(const CubicSpline& W)
-{
-    constexpr int intervals = 2000;
-    const double dr = double(W.h) / intervals;
-    double first = 0, third = 0;
-    for (int k = 0; k < intervals; ++k)
-    {
-        const double r = (k + 0.5) * dr, ring = W.W(float(r)) * r * dr;
-        first += ring;
-        third += ring * r * r;
-    }
-    return {float(2 * std::numbers::pi * first), float(0.5 * third / first)};
-}
 
 // V/S: scales the sum of W to 1 in liquid at rest.
 float volumeOf(float spacing, const CubicSpline& W)
@@ -104,7 +88,7 @@ struct EvaluateRow
                 if (!known(node, odd + x % 2, here)) here = phi.value(map.position(node), {});
                 value[node] = here;
             }
-            if (here > level) bits += float(1 << x);
+            if (here > Indicator::level) bits += float(1 << x);
         }
         bits = team.sum(bits);
         if (team.first()) inside[row] = std::uint8_t(bits);
@@ -144,94 +128,6 @@ struct ListEdges
         {
             edges[int(vertex++)] = std::uint32_t(RowView::edges) * std::uint32_t(row) + RowView::lowestBit(rest);
         }
-    }
-};
-
-// A vertex on its edge: linear interpolation, then one Newton step along the edge on phi itself. From there along its normal to
-// the dividing surface, which leaves no excess of liquid on either side (doc/theory/surface.md). Where the liquid is not deep
-// enough for that, at edges and in films, only what the smoothing moved the level by on a bent surface is taken back. The
-// curvature is told by a wider smoothing, whose level lies further in.
-struct PlaceVertices
-{
-    static constexpr int inward = 5, outward = 3, points = inward + outward;    // of the sum along the normal
-    static constexpr float spacing = 0.25f;             // of these, supports
-    static constexpr float bulk = 0.98f, edge = 0.9f;   // phi of the two innermost: deep enough, not at all
-
-    BlockMapView map;
-    Span<const float> value;
-    Indicator phi;
-    CubicSpline wide;
-    float wideVolume;
-    PlaneMoments moments, wideMoments;
-    float chord;                            // times the curvature: how far the middle of triangles lies below their corners
-    Span<const std::uint32_t> edges;
-    Span<Vec3> vertices, normals;
-
-    HOST_DEVICE void operator()(int v, Team team) const
-    {
-        Vec3 normal;
-        const Vec3 x = onLevel(edges[v], normal, team);
-        const float shift = toDividingSurface(x, normal, team);
-        if (!team.first()) return;
-        const float most = moments.s2 / phi.W.h;        // that of a sphere of radius h, the smallest that is resolved
-        vertices[v] = x + fminf(fmaxf(shift, -most), most) * normal;
-        normals[v] = normal;
-    }
-
-    HOST_DEVICE Vec3 onLevel(std::uint32_t cut, Vec3& normal, Team team) const
-    {
-        const int node = int(cut / 3), axis = int(cut % 3);
-        const int next = map.neighbour(node, axis == 0, axis == 1, axis == 2);
-        const float a = value[node], b = next < 0 ? 0 : value[next], cell = map.cell;
-        const Vec3 origin = map.position(node);
-        const Vec3 along{axis == 0 ? cell : 0, axis == 1 ? cell : 0, axis == 2 ? cell : 0};
-        float t = (level - a) / (b - a);
-        Vec3 gradient;
-        const float here = phi.value(origin + t * along, gradient, team);
-        const float slope = dot(gradient, along);
-        if (slope * (b - a) > 0) t += (level - here) / slope;
-        // Away from the nodes: two vertices that fell together would make a triangle without area.
-        t = fminf(fmaxf(t, 0.01f), 0.99f);
-        const Vec3 x = origin + t * along;
-        phi.value(x, gradient, team);
-        normal = (-1 / fmaxf(norm(gradient), 1e-20f)) * gradient;
-        return x;
-    }
-
-    // All sums at once: over the particles around the middle of the points, r from there.
-    HOST_DEVICE float toDividingSurface(Vec3 x, Vec3 normal, Team team) const
-    {
-        const float step = spacing * phi.W.h, middle = 0.5f * (outward - inward) * step;
-        const float reach = fmaxf(phi.W.h + 0.5f * (points - 1) * step, wide.h + fabsf(middle));
-        Team::Float sums[points] = {}, wideSum{};
-        phi.forEachNear(x + middle * normal, reach, [&](auto r)
-        {
-            const auto squares = squared(r), height = dot(r, normal);
-            const auto distance = [&](float up) { return sqrtf(fmaxf(squares + up * (2 * height + up), 0)); };
-            wideSum += wide.W(distance(-middle));
-            for (int k = 0; k < points; ++k)
-            {
-                const auto apart = distance((float(k) - 0.5f * (points - 1)) * step);
-                if (!noneOf(apart < phi.W.h)) sums[k] += phi.W.W(apart);
-            }
-        }, team);
-        const float wideLevel = (wideVolume * team.sum(wideSum) - level) / wideMoments.slope;
-
-        // The sum by the midpoint rule is too large where the integrand's slope jumps by 1, at t = 0.
-        float excess = 0, moment = -step * step / 24, depth = bulk;
-        for (int k = 0; k < points; ++k)
-        {
-            const float t = (float(k - inward) + 0.5f) * step;
-            const float here = phi.volume * team.sum(sums[k]), extra = (here - (k < inward ? 1.0f : 0.0f)) * step;
-            excess += extra;
-            moment += extra * t;
-            if (k < 2) depth = fminf(depth, here);
-        }
-        const float curvature = (excess - wideLevel) / fmaxf(wideMoments.s2 - 2 * moment, 0.5f * wideMoments.s2);
-        const float whole = excess + (2 * moment + chord) * curvature;
-        const float bent = -wideLevel * moments.s2 / (wideMoments.s2 - moments.s2);
-        const float part = fmaxf((depth - edge) / (bulk - edge), 0.0f);
-        return part * whole + (1 - part) * bent;
     }
 };
 
