@@ -110,11 +110,9 @@ struct Integrate
 
 }
 
-ExtendedLiquid::ExtendedLiquid
-(
-    const KernelChoice& kernel, double smallestTheta, double largestTheta, float cutDepth
-)
+ExtendedLiquid::ExtendedLiquid(const KernelChoice& kernel, std::pair<double, double> theta, float cutDepth)
 {
+    const auto [smallestTheta, largestTheta] = theta;
     constexpr double widest = 5;
     const int steps = int(std::ceil((largestTheta - smallestTheta) / widest - 1e-6));
     angles_ = steps + 1;

@@ -243,11 +243,7 @@ void FreeSurface::require(const Liquid& liquid, Walls& walls, float support, flo
 void FreeSurface::update(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
 {
     if (!active()) return;
-    if (!extended_)
-    {
-        const auto [smallest, largest] = walls.contactAngles(kernel_->h);
-        extended_.emplace(*kernel_, smallest, largest);
-    }
+    if (!extended_) extended_.emplace(*kernel_, walls.contactAngles(kernel_->h));
     const int n = liquid.owned();
     Buffer<std::uint8_t> isNear(n);
     forEachTeam(n, FindSurface{near.view(), leastInside(liquid), isNear.span()});

@@ -26,7 +26,10 @@ void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, 
 
     updateVelocities(liquid, dt);
     models.pressure->correctVelocities(liquid, near, walls);
-    models.forces.correctVelocities(liquid, walls, dt);
+    models.netMotion.takeBack
+    (
+        liquid, models.pressure->takeDisplacement(), models.forces.takeDisplacement(dt), walls.held(), dt
+    );
     models.viscosity->apply(liquid, near, walls, dt);
 }
 

@@ -31,14 +31,14 @@ public:
         const SceneAnswer answer = scene.answer();
         std::vector<double> tried;
         if (set) tried = scene.studies->particles(answer.scene, set->name);
-        if (tried.empty()) return Advice{"keep", "no stored study tells: " + answer.text, "etc/advice"};
+        if (tried.empty()) return untold(answer);
         const auto error = [&](double n)
         {
             return scene.studies->error(answer.scene, answer.parameter, set->name, n, set->maxCapillaryCo);
         };
         const double now = scene.particles(scene.smallest());
         const auto present = error(now);
-        if (!present) return Advice{"keep", "no stored study tells: " + answer.text, "etc/advice"};
+        if (!present) return untold(answer);
 
         double fewest = tried.back();
         const bool reached = error(fewest)->value <= scene.tolerance;

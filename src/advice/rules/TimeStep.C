@@ -31,7 +31,7 @@ public:
         const auto set = scene.modelSet();
         const SceneAnswer answer = scene.answer();
         const auto calm = set ? scene.studies->calmSteps(set->name) : std::nullopt;
-        if (!calm || answer.scene.empty()) return Advice{"keep", "no stored study tells: " + answer.text, "etc/advice"};
+        if (!calm || answer.scene.empty()) return untold(answer);
 
         const double n = scene.particles(scene.smallest());
         const auto error = [&](double steps)
@@ -53,7 +53,7 @@ public:
             best = steps;
         }
         const auto there = error(best);
-        if (!there) return Advice{"keep", "no stored study tells: " + answer.text, "etc/advice"};
+        if (!there) return untold(answer);
         Advice advice
         {
             "keep", "with " + number(best) + " capillary steps: error " + percent(there->value) + ", volume " +

@@ -25,10 +25,11 @@ void InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& 
     if (everyIteration_) apply(liquid, near, walls, dt);
 }
 
-void InterParticleForces::correctVelocities(Liquid& liquid, const Walls& walls, float dt)
+InternalDisplacement InterParticleForces::takeDisplacement(float dt)
 {
-    if (active() && !everyIteration_) tension_->correctVelocities(liquid, walls, acceleration_, dt);
-    acceleration_ = {};
+    Buffer<Vec3> acceleration = std::move(acceleration_);
+    if (everyIteration_ || !tension_->isInternal()) return {};
+    return {std::move(acceleration), dt * dt};
 }
 
 void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt)

@@ -20,13 +20,14 @@ namespace
 
 struct SumsOfParticle
 {
-    Span<const Vec3> position, displacement;
-    float scale;
+    Span<const Vec3> position, pressure, forces;        // either of the displacements may be empty
+    float ofPressure, ofForces;                         // their scales
 
     HOST_DEVICE NetMotion::Sums operator()(int i) const
     {
-        const Vec3 p = position[i], q = displacement[i];
-        const double x = p.x, y = p.y, z = p.z, u = scale * q.x, v = scale * q.y, w = scale * q.z;
+        const Vec3 p = position[i];
+        const Vec3 q = pressure.size > 0 ? ofPressure * pressure[i] : Vec3{}, r = forces.size > 0 ? ofForces * forces[i] : Vec3{};
+        const double x = p.x, y = p.y, z = p.z, u = double(q.x) + r.x, v = double(q.y) + r.y, w = double(q.z) + r.z;
         return
         {
             {u, v, w}, {x, y, z}, {y * w - z * v, z * u - x * w, x * v - y * u}, {x * x, y * y, z * z},
@@ -76,12 +77,18 @@ Vec3 turnOf(const NetMotion::Sums& sums, double n, const HeldDirections& held)
 
 void NetMotion::takeBack
 (
-    Liquid& liquid, const Buffer<Vec3>& displacement, float scale, const HeldDirections& held, float dt
+    Liquid& liquid, const InternalDisplacement& pressure, const InternalDisplacement& forces, const HeldDirections& held,
+    float dt
 )
 {
     const int n = liquid.owned();
-    if (n == 0) return;
-    const Sums sums = reduce(n, SumsOfParticle{liquid.position.span(), displacement.span(), scale}, scratch_);
+    if (n == 0 || held.all() || pressure.by.size() + forces.by.size() == 0) return;
+    const Sums sums = reduce
+    (
+        n,
+        SumsOfParticle{liquid.position.span(), pressure.by.span(), forces.by.span(), pressure.scale, forces.scale},
+        scratch_
+    );
     const auto mean = [&](const double* of) { return Vec3{float(of[0] / n), float(of[1] / n), float(of[2] / n)}; };
     forEach(n, MoveBack
     {

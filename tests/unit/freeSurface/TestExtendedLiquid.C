@@ -117,7 +117,7 @@ public:
 private:
     static const Table& shared()
     {
-        static const Table once(ExtendedLiquid(Type(1.7f), 30, 150));
+        static const Table once(ExtendedLiquid(Type(1.7f), {30, 150}));
         return once;
     }
 };
@@ -178,8 +178,8 @@ TYPED_TEST(ExtendedLiquidOf, DeepInsideIsTheWholeHalfSpace)
 
 TYPED_TEST(ExtendedLiquidOf, IsEmptyAt180DegreesAndFullAtZero)
 {
-    const Table empty(ExtendedLiquid(this->W, 180, 180));
-    const Table full(ExtendedLiquid(this->W, 0, 0));
+    const Table empty(ExtendedLiquid(this->W, {180, 180}));
+    const Table full(ExtendedLiquid(this->W, {0, 0}));
     const auto values = tabulateHalfSpace(TypeParam(1));
     const HalfSpaceView halfSpace{{values.data(), int(values.size())}, 1};
     for (const double z : {0.0, 2 / 24.0, 0.5})
@@ -249,7 +249,7 @@ TYPED_TEST(ExtendedLiquidOf, GradientIsThatOfTheValue)
 TYPED_TEST(ExtendedLiquidOf, EndsAtTheCut)
 {
     constexpr double deepest = 0.4;
-    const Table table(ExtendedLiquid(this->W, 45, 120, float(deepest)));
+    const Table table(ExtendedLiquid(this->W, {45, 120}, float(deepest)));
     for (const double theta : {45.0, 60.0, 90.0, 120.0})
         for (const double z : {0.0, 4 / 24.0, 10 / 24.0})
             for (const double s : {-6 / 24.0, 2 / 24.0, 9 / 24.0})

@@ -13,8 +13,6 @@ namespace
 
 constexpr double degree = std::numbers::pi / 180;
 
-const std::string floorPlane = "floor { type plane; point (0 0 0); normal (0 0 1); }";
-
 }
 
 TEST(FreeSurface, ThatNobodyAskedForCostsNothing)

@@ -35,7 +35,7 @@ std::vector<Vec3> halfBall(const Vec3& shift = {})
 
 const CaseText onAPlane
 {
-    .walls = "floor { type plane; point (0 0 0); normal (0 0 1); }", .wettability = "floor { theta 60; }"
+    .walls = floorPlane, .wettability = "floor { theta 60; }"
 };
 const std::string wetting = "surfaceTension Fujisawa2014; wetting contactAngle; bodyForce gravity;";
 

@@ -227,7 +227,7 @@ TEST(Walls, PutLiquidBackHalfASpacingBeforeATangentPlane)
 
 TEST(Walls, PutLiquidBackHalfASpacingOutside)
 {
-    LiquidCase drop({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }"
+    LiquidCase drop({.walls = floorPlane +
                               "ball { type sphere; centre (0 0 0); radius 5e-3; liquid inside; }"});
     drop.place({{0, 0, 0.2f}, {1, 0, -0.7f}, {0, 1, 3}, {0, 0, 4.9f}});
     drop.walls.project(drop.liquid);
@@ -272,7 +272,7 @@ TEST(Walls, HaveNoInnerSideWhereNormalsCancel)
 
 TEST(Walls, RefuseLiquidThatStartsInTheSolid)
 {
-    LiquidCase drop({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }"});
+    LiquidCase drop({.walls = floorPlane});
     drop.place({{0, 0, 0.26f}, {2, 0, 3}});
     const auto check = [&] { drop.walls.refuseLiquidInside(drop.liquid); };
     EXPECT_EQ(messageOf(check), "no error");
@@ -330,14 +330,13 @@ TEST(Walls, RefuseWhatIsMissing)
 
 TEST(Walls, ReadContactAnglesOfSurfaces)
 {
-    const std::string plane = "floor { type plane; point (0 0 0); normal (0 0 1); }";
     for (const auto& [theta, cosine] : {std::pair{"0", 1.0}, {"60", 0.5}, {"180", -1.0}})
     {
-        LiquidCase drop({.walls = plane, .wettability = "floor { theta " + std::string(theta) + "; }"});
+        LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta " + std::string(theta) + "; }"});
         drop.walls.requireContactAngles();
         EXPECT_NEAR(drop.walls.view().surfaces.surface[0].cosTheta, cosine, 1e-7);
     }
-    LiquidCase wrong({.walls = plane, .wettability = "floor { theta 181; }"});
+    LiquidCase wrong({.walls = floorPlane, .wettability = "floor { theta 181; }"});
     EXPECT_TRUE(holds(messageOf([&] { wrong.walls.requireContactAngles(); }),
                       {"constant/wettability", "181", "0 to 180"}));
 }

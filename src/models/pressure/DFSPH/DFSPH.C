@@ -214,8 +214,7 @@ public:
             },
             liquid.kernel()
         );
-        if (iterations_ < controls_.minIterations || controls_.tolerance == 0) return true;
-        return compression_(liquid) > controls_.tolerance;
+        return compression_.wantsAnother(liquid, controls_, iterations_);
     }
 
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override

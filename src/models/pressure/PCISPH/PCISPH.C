@@ -67,8 +67,7 @@ public:
         {
             1 / (2 * perPressure * squares_), perPressure, liquid.density.span(), pressure_.span(), increase_.span()
         });
-        if (iterations_ < controls_.minIterations || controls_.tolerance == 0) return true;
-        return compression_(liquid) > controls_.tolerance;
+        return compression_.wantsAnother(liquid, controls_, iterations_);
     }
 
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override

@@ -25,7 +25,6 @@
 // Its controls stand in system/solution: shared/PressureControls.H. Trials: doc/theory/completedPbf.md.
 
 #include "freeSurface/FreeSurface.H"
-#include "models/forces/NetMotion.H"
 #include "models/pressure/Pressure.H"
 #include "models/pressure/shared/ConstraintSums.H"
 #include "models/pressure/shared/PressureControls.H"
@@ -125,8 +124,7 @@ public:
         if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
         if (!extended_)
         {
-            const auto [smallest, largest] = walls.contactAngles(surface_.support());
-            extended_.emplace(liquid.kernel(), smallest, largest);
+            extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
             oneAngle_ = walls.oneContactAngle();
         }
         increase_.resizeDiscarding(liquid.all());
@@ -176,14 +174,14 @@ public:
         liquid.predicted.swap(corrected);
     }
 
-    // The particles have their new positions and velocities.
-    void correctVelocities(Liquid& liquid, const Neighbourhood&, const Walls& walls) override
+    InternalDisplacement takeDisplacement() override
     {
-        if (iterations_ > 0 && total_.size() > 0) netMotion_.takeBack(liquid, total_, -1, walls.held(), dt_);
         increase_ = {};
         push_ = {};
         order_ = {};
-        total_ = {};
+        Buffer<Vec3> total = std::move(total_);
+        if (iterations_ == 0) return {};
+        return {std::move(total), -1};
     }
 
     int iterations() const override { return iterations_; }
@@ -206,7 +204,6 @@ private:
     Buffer<float> increase_;
     bool oneAngle_ = false;
     Buffer<Vec3> push_, order_, total_;     // empty: order_ with one contact angle, both where walls hold in all directions
-    NetMotion netMotion_;
     SteadyIterations steady_;
 };
 

@@ -123,8 +123,7 @@ bool Pbf::violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls
         },
         liquid.kernel()
     );
-    if (iterations_ < controls_.minIterations || controls_.tolerance == 0) return true;
-    return compression_(liquid) > controls_.tolerance;
+    return compression_.wantsAnother(liquid, controls_, iterations_);
 }
 
 void Pbf::correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls)

@@ -29,7 +29,6 @@
 //     continuumSurfaceForceCoeffs { support 4; }      // of the normals and the curvature, in spacings
 
 #include "freeSurface/FreeSurface.H"
-#include "models/forces/NetMotion.H"
 #include "models/surfaceTension/SurfaceTension.H"
 
 namespace shizuku
@@ -198,11 +197,7 @@ public:
         });
     }
 
-    void correctVelocities(Liquid& liquid, const Walls& walls, const Buffer<Vec3>& acceleration, float dt) override
-    {
-        if (!oneAngle_ || walls.held().all()) return;
-        netMotion_.takeBack(liquid, acceleration, dt * dt, walls.held(), dt);
-    }
+    bool isInternal() const override { return oneAngle_; }
 
 private:
     // The wedge's part in the curvature: of what lies near the surface.
@@ -217,8 +212,7 @@ private:
             const float s = 0.5f * (low + high);
             (view(s).gradient > halfOfForce * surface_.steepest() ? low : high) = s;
         }
-        const auto [smallest, largest] = walls.contactAngles(W.h);
-        extended_.emplace(W, smallest, largest, low / W.h);
+        extended_.emplace(W, walls.contactAngles(W.h), low / W.h);
         oneAngle_ = walls.oneContactAngle();
     }
 
@@ -226,7 +220,6 @@ private:
     float sigma_;
     std::optional<ExtendedLiquid> extended_;
     bool oneAngle_ = false;
-    NetMotion netMotion_;
 };
 
 const SurfaceTensionTable::Add<ContinuumSurfaceForce> registered{"continuumSurfaceForce"};

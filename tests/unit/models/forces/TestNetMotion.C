@@ -48,13 +48,10 @@ Motion leftOver(const std::string& walls)
     }
     drop.place(points, velocities);
     const float dt = 0.01f;
-    NetMotion net;
-    Buffer<Vec3> made(drop.liquid.velocity.download());
-    net.takeBack(drop.liquid, made, dt, drop.walls.held(), dt);
+    const auto part = [&](float share) { return InternalDisplacement{Buffer<Vec3>(drop.liquid.velocity.download()), share * dt}; };
+    NetMotion().takeBack(drop.liquid, part(-0.5f), part(1.5f), drop.walls.held(), dt);
     return motionOf(drop);
 }
-
-const std::string floorPlane = "floor { type plane; point (0 0 0); normal (0 0 1); }\n";
 
 // Velocities are rounded to 1e-8, turns to that times the block's 4 spacings; means of 105.
 constexpr double rounding = 1e-7;

@@ -104,7 +104,7 @@ TEST(Clavet2005, TakesSolidParticlesForLiquidThatStays)
 
 TEST(Clavet2005, RefusesAnalyticWallsAndAbsurdCoefficients)
 {
-    LiquidCase tank({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }"});
+    LiquidCase tank({.walls = floorPlane});
     EXPECT_TRUE(holds(messageOf([&] { makePressure(tank, "Clavet2005", ""); }), {"analytic walls", "type particles"}));
     LiquidCase drop;
     EXPECT_TRUE(holds(messageOf([&] { makePressure(drop, "Clavet2005", "near 0;"); }), {"system/solution", "near"}));

@@ -1,7 +1,6 @@
-#include "models/pressure/Pressure.H"
-#include "motion/Motion.H"
-
 #include "models/surfaceTension/SurfaceTension.H"
+#include "motion/Motion.H"
+#include "support/PressureReference.H"
 #include "support/ReferenceKernels.H"
 #include "support/SurfaceStates.H"
 #include "support/VectorSum.H"
@@ -14,15 +13,6 @@ using namespace shizuku::test;
 namespace
 {
 
-const std::string floorPlane = "floor { type plane; point (0 0 0); normal (0 0 1); }";
-
-std::unique_ptr<Pressure> makePressure(LiquidCase& drop, const std::string& controls)
-{
-    const Dictionary models = Dictionary::parse("pressure completedPbf;");
-    const Dictionary solution = Dictionary::parse("pressure { " + controls + " }", "system/solution");
-    return Pressure::New(models, solution, drop.liquid, drop.walls, drop.surface);
-}
-
 std::unique_ptr<SurfaceTension> makeTension(LiquidCase& drop)
 {
     const Dictionary models = Dictionary::parse("surfaceTension continuumSurfaceForce;");
@@ -33,13 +23,6 @@ std::unique_ptr<SurfaceTension> makeTension(LiquidCase& drop)
 float suctionOf(const Liquid& liquid)
 {
     return liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension) / liquid.spacing();
-}
-
-int iterate(Pressure& pressure, LiquidCase& drop, float dt)
-{
-    pressure.begin(dt);
-    while (pressure.violated(drop.liquid, drop.near, drop.walls)) pressure.correct(drop.liquid, drop.near, drop.walls);
-    return pressure.iterations();
 }
 
 double averageOf(const std::vector<float>& density, double (*error)(double))
@@ -81,7 +64,7 @@ TEST(CompletedPbf, TakesALatticeInATankToBeAtRest)
     drop.place(points);
     const auto violated = [&](const std::string& controls)
     {
-        const auto pressure = makePressure(drop, controls);
+        const auto pressure = makePressure(drop, "completedPbf", controls);
         drop.place(points);
         pressure->begin(0.1f);
         return pressure->violated(drop.liquid, drop.near, drop.walls);
@@ -113,7 +96,7 @@ TEST(CompletedPbf, TakesADropOnAWallToBeAtRest)
             text.solidPositions = latticeBlock(33, 33, 1, 1, {-16, -16, -0.5f});
         }
         LiquidCase drop(text);
-        const auto pressure = makePressure(drop, "minIterations 0; tolerance 0.02;");
+        const auto pressure = makePressure(drop, "completedPbf", "minIterations 0; tolerance 0.02;");
         auto points = latticeBall(8);
         points.erase(std::remove_if(points.begin(), points.end(), [](Vec3 x) { return x.z < 0; }), points.end());
         drop.place(points);
@@ -137,13 +120,13 @@ TEST(CompletedPbf, ExpandsACompressedBlockToRestDensity)
 {
     LiquidCase drop;
     const auto points = latticeBlock(9, 9, 9, 0.94f, {-4 * 0.94f, -4 * 0.94f, -4 * 0.94f});
-    const auto before = makePressure(drop, "");
+    const auto before = makePressure(drop, "completedPbf", "");
     drop.place(points);
     before->begin(0.1f);
     EXPECT_TRUE(before->violated(drop.liquid, drop.near, drop.walls));
     EXPECT_GT(averageOf(drop.liquid.density.download(), compression), 0.15);
 
-    const auto pressure = makePressure(drop, "maxIterations 60; tolerance 1e-3; relaxation 0.5;");
+    const auto pressure = makePressure(drop, "completedPbf", "maxIterations 60; tolerance 1e-3; relaxation 0.5;");
     const int iterations = iterate(*pressure, drop, 0.1f);
     EXPECT_GT(iterations, 2);
     EXPECT_LT(iterations, 60);
@@ -163,7 +146,7 @@ TEST(CompletedPbf, RaisesThePressureByItsFormula)
     {
         LiquidCase drop;
         const auto model = tension ? makeTension(drop) : nullptr;
-        const auto pressure = makePressure(drop, "maxIterations 1; minIterations 1; relaxation 0.4; epsilon 0.01;");
+        const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1; relaxation 0.4; epsilon 0.01;");
         RandomNumbers random(3);
         auto points = latticeBlock(7, 7, 7, 1);
         for (Vec3& p : points) p += random({-0.15f, -0.15f, -0.15f}, {0.15f, 0.15f, 0.15f});
@@ -228,7 +211,7 @@ TEST(CompletedPbf, DisplacesByItsFormula)
 {
     constexpr float dt = 0.5f;
     LiquidCase drop({.walls = "tank { type box; min (0 0 0); max (8e-3 8e-3 1); }"});
-    const auto pressure = makePressure(drop, "maxIterations 1; minIterations 1; relaxation 1;");
+    const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1; relaxation 1;");
     RandomNumbers random(6);
     auto points = latticeBlock(8, 8, 8, 1, {0.5f, 0.5f, 0.5f});
     for (Vec3& p : points) p += random({-0.15f, -0.15f, -0.15f}, {0.15f, 0.15f, 0.15f});
@@ -285,7 +268,7 @@ TEST(CompletedPbf, KeepsOrderUnderSuction)
     constexpr float dt = 0.5f;
     LiquidCase drop;
     const auto tension = makeTension(drop);
-    const auto pressure = makePressure(drop, "maxIterations 1; minIterations 1; relaxation 1;");
+    const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1; relaxation 1;");
     RandomNumbers random(7);
     auto points = latticeBlock(11, 11, 11, 1.06f);
     for (Vec3& p : points) p += random({-0.1f, -0.1f, -0.1f}, {0.1f, 0.1f, 0.1f});
@@ -327,7 +310,7 @@ TEST(CompletedPbf, KeepsOrderUnderSuction)
 TEST(CompletedPbf, LeavesTheCentroidOfFreeLiquid)
 {
     LiquidCase drop;
-    const auto pressure = makePressure(drop, "maxIterations 1; minIterations 1; relaxation 1;");
+    const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1; relaxation 1;");
     RandomNumbers random(8);
     auto points = latticeBlock(8, 8, 8, 0.97f);
     for (Vec3& p : points) p += random({-0.15f, -0.15f, -0.15f}, {0.15f, 0.15f, 0.15f});
@@ -338,7 +321,7 @@ TEST(CompletedPbf, LeavesTheCentroidOfFreeLiquid)
     const VectorSum ordered = sumOfSteps(before, drop.liquid.position.download());
     EXPECT_GT(ordered.sizes, 5);
     EXPECT_GT(std::abs(ordered.components[0]), 0.01);
-    pressure->correctVelocities(drop.liquid, drop.near, drop.walls);
+    NetMotion().takeBack(drop.liquid, pressure->takeDisplacement(), {}, drop.walls.held(), 0.5f);
     const VectorSum steps = sumOfSteps(before, drop.liquid.position.download());
     const VectorSum speeds = sumOfSteps(std::vector<Vec3>(points.size()), drop.liquid.velocity.download());
     for (const double component : steps.components) EXPECT_NEAR(component, 0, 1e-4);
@@ -353,7 +336,7 @@ TEST(CompletedPbf, PullsNoMoreThanTheTensionAllows)
     {
         LiquidCase drop;
         const auto model = tension ? makeTension(drop) : nullptr;
-        const auto pressure = makePressure(drop, "maxIterations 5; tolerance 0;");
+        const auto pressure = makePressure(drop, "completedPbf", "maxIterations 5; tolerance 0;");
         drop.place(latticeBlock(8, 8, 8, 1.08f));
         const auto before = drop.inOrder(drop.liquid.predicted);
         EXPECT_EQ(iterate(*pressure, drop, 0.02f), 5);
@@ -379,7 +362,7 @@ TEST(CompletedPbf, RefusesControlsOutOfRange)
     };
     for (const auto& entry : wrong)
     {
-        const auto make = [&] { makePressure(drop, entry.first + " " + entry.second + ";"); };
+        const auto make = [&] { makePressure(drop, "completedPbf", entry.first + " " + entry.second + ";"); };
         EXPECT_TRUE(holds(messageOf(make), {"system/solution", "'" + entry.first + "'"}));
     }
 }

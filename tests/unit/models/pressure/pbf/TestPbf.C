@@ -1,7 +1,5 @@
-#include "models/pressure/Pressure.H"
-
 #include "models/density/Density.H"
-#include "support/LiquidCase.H"
+#include "support/PressureReference.H"
 #include "support/VectorSum.H"
 
 #include <algorithm>
@@ -11,14 +9,6 @@ using namespace shizuku::test;
 
 namespace
 {
-
-const Dictionary pbf = Dictionary::parse("pressure pbf;");
-
-std::unique_ptr<Pressure> makePbf(LiquidCase& drop, const std::string& controls)
-{
-    const Dictionary solution = Dictionary::parse("pressure { " + controls + " }", "system/solution");
-    return Pressure::New(pbf, solution, drop.liquid, drop.walls, drop.surface);
-}
 
 // Average of max(rho/rho0 - 1, 0) at the predicted positions.
 double errorOf(LiquidCase& drop)
@@ -38,7 +28,7 @@ TEST(Pbf, LowersTheDensityErrorInEveryIteration)
     for (const char* kernel : {"type cubicSpline; support 2;", "type poly6Spiky; support 2.5;"})
     {
         LiquidCase drop({.kernel = kernel});
-        const auto model = makePbf(drop, "maxIterations 15; tolerance 0; relaxation 0.4;");
+        const auto model = makePressure(drop, "pbf", "maxIterations 15; tolerance 0; relaxation 0.4;");
         drop.place(latticeBlock(8, 8, 8, 0.94f));
         double error = errorOf(drop);
         const double first = error;
@@ -60,14 +50,13 @@ TEST(Pbf, LowersTheDensityErrorInEveryIteration)
 TEST(Pbf, ConservesMomentumWithoutWalls)
 {
     LiquidCase drop;
-    const auto model = makePbf(drop, "maxIterations 3; tolerance 0; relaxation 1;");
+    const auto model = makePressure(drop, "pbf", "maxIterations 3; tolerance 0; relaxation 1;");
     RandomNumbers random(4);
     auto points = latticeBlock(8, 8, 8, 0.92f);
     for (Vec3& p : points) p += random({-0.1f, -0.1f, -0.1f}, {0.1f, 0.1f, 0.1f});
     drop.place(points);
     const auto before = drop.liquid.predicted.download();
-    model->begin(1);
-    while (model->violated(drop.liquid, drop.near, drop.walls)) model->correct(drop.liquid, drop.near, drop.walls);
+    iterate(*model, drop, 1);
     const auto after = drop.liquid.predicted.download();
     const VectorSum steps = sumOfSteps(before, after);
     EXPECT_GT(steps.sizes, 5);
@@ -78,14 +67,14 @@ TEST(Pbf, PushesLiquidOffWallsAlongTheirNormals)
 {
     for (const bool particles : {true, false})
     {
-        CaseText text{.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }"};
+        CaseText text{.walls = floorPlane};
         if (particles)
         {
             text.walls = "floor { type particles; surface \"floor.stl\"; }";
             text.solidPositions = latticeBlock(11, 11, 1, 1, {-5, -5, -0.5f});
         }
         LiquidCase drop(text);
-        const auto model = makePbf(drop, "maxIterations 1; minIterations 1; tolerance 0; relaxation 1;");
+        const auto model = makePressure(drop, "pbf", "maxIterations 1; minIterations 1; tolerance 0; relaxation 1;");
         drop.place({{0, 0, particles ? -0.3f : -0.9f}});        // in the solid, where it alone is denser than liquid
         const Vec3 before = drop.liquid.predicted.download()[0];
         EXPECT_TRUE(model->violated(drop.liquid, drop.near, drop.walls));
@@ -101,22 +90,16 @@ TEST(Pbf, PushesLiquidOffWallsAlongTheirNormals)
 TEST(Pbf, StopsAtTheToleranceButNotBeforeTheLeastIterations)
 {
     LiquidCase drop;
-    const auto model = makePbf(drop, "minIterations 2; maxIterations 50; tolerance 1e-4; relaxation 1;");
-    const auto iterate = [&]
-    {
-        model->begin(1);
-        while (model->violated(drop.liquid, drop.near, drop.walls)) model->correct(drop.liquid, drop.near, drop.walls);
-        return model->iterations();
-    };
+    const auto model = makePressure(drop, "pbf", "minIterations 2; maxIterations 50; tolerance 1e-4; relaxation 1;");
     drop.place(latticeBlock(7, 7, 7, 1));
-    EXPECT_EQ(iterate(), 2);                            // the lattice is at rest density already
+    EXPECT_EQ(iterate(*model, drop, 1), 2);                            // the lattice is at rest density already
     drop.place(latticeBlock(7, 7, 7, 0.9f));
-    const int needed = iterate();
+    const int needed = iterate(*model, drop, 1);
     EXPECT_GT(needed, 2);
     EXPECT_LT(needed, 50);
     EXPECT_LE(errorOf(drop), 1e-4);
     drop.place({});
-    EXPECT_EQ(iterate(), 0);
+    EXPECT_EQ(iterate(*model, drop, 1), 0);
 }
 
 // Unilateral: C < 0 counts as zero, so a pair in the gas feels nothing. Bilateral: it is drawn together.
@@ -126,7 +109,7 @@ TEST(Pbf, PullsOnlyWhereItMay)
     {
         LiquidCase drop;
         const std::string choice = unilateral ? "yes" : "no";
-        const auto model = makePbf(drop, "relaxation 1; unilateral " + choice + ";");
+        const auto model = makePressure(drop, "pbf", "relaxation 1; unilateral " + choice + ";");
         drop.place({{0, 0, 0}, {1.2f, 0, 0}});
         const float before = 1.2f * drop.liquid.spacing();
         ASSERT_TRUE(model->violated(drop.liquid, drop.near, drop.walls));
@@ -153,7 +136,7 @@ TEST(Pbf, RefusesControlsOutOfRange)
     };
     for (const auto& entry : wrong)
     {
-        const auto make = [&] { makePbf(drop, entry.first + " " + entry.second + ";"); };
+        const auto make = [&] { makePressure(drop, "pbf", entry.first + " " + entry.second + ";"); };
         EXPECT_TRUE(holds(messageOf(make), {"system/solution", "'" + entry.first + "'"}));
     }
 }

@@ -78,7 +78,7 @@ TEST(PairTension, EqualsTheSumOverAllPairsNearAnAnalyticFloor)
 {
     for (const bool wallNormals : {false, true})
     {
-        LiquidCase drop({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }",
+        LiquidCase drop({.walls = floorPlane,
                          .wettability = "floor { theta 120; }"});
         const auto tension = makeTension(drop, wallNormals ? "Fujisawa2014" : "Akinci2013");
         drop.place(points);

@@ -80,7 +80,7 @@ TEST(Laminar, IsHeldBackByAWall)
     for (const bool noSlip : {true, false})
     {
         LiquidCase flow({.liquidProperties = "rho 1000; nu 1e-4; sigma 0.072;",
-                         .walls = "floor { type plane; point (0 0 0); normal (0 0 1); }"});
+                         .walls = floorPlane});
         flow.place({{0, 0, 0.5f}, {5, 0, 1.5f}, {10, 0, 2.5f}}, std::vector<Vec3>(3, {1, 0, 0}));
         const Dictionary models = Dictionary::parse
         (

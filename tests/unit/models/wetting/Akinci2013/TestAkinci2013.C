@@ -114,7 +114,7 @@ TEST(Akinci2013Wetting, RefusesWhatItCannotDo)
         drop.place({{0, 0, 5}});
         return messageOf([&] { adhesionOf(drop, models); });
     };
-    EXPECT_TRUE(holds(refusal({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }"},
+    EXPECT_TRUE(holds(refusal({.walls = floorPlane},
                               "surfaceTension none; wetting Akinci2013; Akinci2013Coeffs { beta 1; }"),
                       {"analytic walls", "type particles"}));
     const std::string alone = "surfaceTension none; wetting Akinci2013;";

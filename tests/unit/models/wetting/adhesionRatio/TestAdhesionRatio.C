@@ -74,7 +74,7 @@ TEST(AdhesionRatio, OfAHalfSpaceIsItsIntegral)
         const double scale = std::abs(integral(1));
         for (const float s : {0.5f, 0.8f, 1.3f, 1.9f})
         {
-            LiquidCase drop({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }",
+            LiquidCase drop({.walls = floorPlane,
                              .wettability = "floor { theta 60; }"});
             EXPECT_NEAR(pullOfWall(drop, word, {3, 1, s}).z, -0.75 * integral(s), 2e-3 * scale) << word << ' ' << s;
         }
@@ -96,7 +96,7 @@ TEST(AdhesionRatio, NeedsACentralForceAndAnAngle)
         const Dictionary models = Dictionary::parse("wetting " + wetting + ";", "constant/models");
         EXPECT_TRUE(holds(messageOf([&] { Wetting::New(models, drop.liquid, drop.walls, *tension); }), {"constant/models"}));
     }
-    LiquidCase drop({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }"});
+    LiquidCase drop({.walls = floorPlane});
     EXPECT_TRUE(holds(messageOf([&] { pullOfWall(drop, "Kondo2007", {0, 0, 1}); }), {"floor"}));
 }
 

@@ -58,7 +58,7 @@ TEST(ContactAngleWetting, EqualsTheIntegralOverAnAnalyticFloor)
 {
     for (const std::string solidNormal : {"zero", "wall", "SPH"})
     {
-        LiquidCase drop({.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }",
+        LiquidCase drop({.walls = floorPlane,
                          .wettability = "floor { theta 60; }"});
         auto reference = pairSystem<CubicSpline>(drop, points);
         reference.floor = true;

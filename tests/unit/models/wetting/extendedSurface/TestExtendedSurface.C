@@ -9,8 +9,6 @@ using namespace shizuku::test;
 namespace
 {
 
-const std::string floorPlane = "floor { type plane; point (0 0 0); normal (0 0 1); }";
-
 std::unique_ptr<Wetting> makeWetting(LiquidCase& drop, const std::string& tensionWord)
 {
     const Dictionary models = Dictionary::parse
