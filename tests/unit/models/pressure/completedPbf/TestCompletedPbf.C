@@ -353,6 +353,23 @@ TEST(CompletedPbf, PullsNoMoreThanTheTensionAllows)
     }
 }
 
+// What a step needed that was too dense is given back by calm ones, an iteration a step, down to the least: also after a step
+// that made as many as are allowed.
+TEST(CompletedPbf, TakesFewerIterationsWhereLittleIsLeft)
+{
+    LiquidCase drop;
+    const auto pressure = makePressure(drop, "minIterations 1; maxIterations 4; tolerance 0.05;");
+    drop.place(latticeBlock(8, 8, 8, 0.8f));
+    EXPECT_EQ(iterate(*pressure, drop, 0.02f), 4);
+    std::vector<int> made;
+    for (int step = 0; step < 4; ++step)
+    {
+        drop.place(latticeBlock(8, 8, 8, 1.05f));
+        made.push_back(iterate(*pressure, drop, 0.02f));
+    }
+    EXPECT_EQ(made, (std::vector<int>{3, 2, 1, 1}));
+}
+
 TEST(CompletedPbf, RefusesControlsOutOfRange)
 {
     LiquidCase drop;
