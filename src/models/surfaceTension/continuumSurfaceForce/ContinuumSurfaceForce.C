@@ -6,12 +6,16 @@
 //     kappa_i = 2 sum_j w_ij (x_j - x_i).(n_j - n_i) / sum_j w_ij t_ij^2,    w_ij = V b_j |W'_ij|/r_ij,    j near the surface
 //     t_ij^2  = r_ij^2 - (x_ij . n_ij)^2                          n_ij: unit vector along n_i + n_j
 //     kappa   : brought up to the surface, kappa_i/(1 + kappa_i D_i/2), D_i the mean depth of the pairs
-//     a_i     = 2 sigma kappa b_i G_i / rho0
+//     kappa'_i: their mean over the neighbours in the density's support, by W_ij b_j
+//     a_i     = 2 sigma kappa b_i G_i / rho0,     kappa going from kappa_i, where kappa'_i is above 4 |kappa_i - kappa'_i|,
+//                                                 to kappa'_i, where that is below zero
 //
 // On a sphere each pair gives exactly 2/r at the pair's mean radius. The 2 of a_i: |G| integrates to one across the
 // surface, and only its inner half carries particles. Near the surface means |G| above 0.2 of a planar surface's; b grows
 // smoothly from 0 there to 1 at 0.4. The second layer stands about there, and a force that is switched on and off makes its
-// particles tremble. Particles with normals apart by more than a right angle lie on different surfaces.
+// particles tremble. Particles with normals apart by more than a right angle lie on different surfaces. At a hollow surface
+// liquid is under suction and the surface gives way where a single particle reads too little of it: there all near it have the
+// mean. On round drops kappa_i stands.
 //
 // Every point of the wall's wedge has the normal m_c = sin(theta) t + cos(theta) n. On a curved surface that meets the wall
 // at theta the normals differ by kappa tau, with tau the distance of a particle from the contact line along the surface.
@@ -41,6 +45,7 @@ constexpr float nearSurface = 0.2f, allOfForce = 0.4f;      // of the planar |G|
 constexpr float halfOfForce = 0.5f * (nearSurface + allOfForce);
 constexpr float sharpest = 0.7f;            // largest |kappa|, times the spacing
 constexpr float holds = 1.5f;               // lowest pressure at a hollow surface, over sigma kappa
+constexpr float trusted = 4;                // kappa' from which a single kappa stands, over its distance from kappa'
 constexpr float flattest = 0.05f;           // least sin(theta) for the distance from the contact line
 
 struct PackPositions
@@ -94,32 +99,22 @@ struct SmoothNormal
     }
 };
 
-struct Force
+struct Curvature
 {
     WendlandC2 W;
-    float volume, largest, sigma, restDensity;
+    float volume, largest;
     FreeSurfaceView surface;
     Span<const Vec3> normal;
     Span<const float> part;
     SelectedSearch near;
     ExtendedLiquidView extended;
     WallView walls;
-    Span<float> lowestPressure;
-    Span<Vec3> acceleration;
+    Span<float> curvature;                  // meaningless away from the surface
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const int k = int(surface.place[i]);
         if (squared(normal[k]) == 0) return;
-        const float jump = sigma * curvature(i, k, team);
-        if (!team.first()) return;
-        lowestPressure[k] = fminf(fmaxf(holds * jump, lowestPressure[k]), 0);
-        acceleration[i] += 2 * jump / restDensity * part[k] * surface.gradient[k];
-    }
-
-private:
-    HOST_DEVICE float curvature(int i, int k, Team team) const
-    {
         const Vec3 xi = near.points[k], mi = normal[k];
         const float own = surface.depth[k];
         Team::Float spreads{}, weights{}, depths{};
@@ -151,9 +146,47 @@ private:
             weight += along;
             depth += along * own;
         });
-        if (weight <= 0) return 0;
-        const float kappa = fminf(fmaxf(2 * spread / weight, -largest), largest);
-        return kappa / fmaxf(0.3f, 1 + 0.5f * kappa * depth / weight);
+        if (!team.first()) return;
+        const float kappa = weight > 0 ? fminf(fmaxf(2 * spread / weight, -largest), largest) : 0;
+        curvature[k] = weight > 0 ? kappa / fmaxf(0.3f, 1 + 0.5f * kappa * depth / weight) : 0;
+    }
+};
+
+struct Force
+{
+    WendlandC2 W;
+    float sigma, restDensity;
+    Span<const Vec3> x;
+    NeighbourView near;
+    FreeSurfaceView surface;
+    Span<const Vec3> normal;
+    Span<const float> part, curvature;
+    Span<float> lowestPressure;
+    Span<Vec3> acceleration;
+
+    HOST_DEVICE void operator()(int i, Team team) const
+    {
+        const int k = int(surface.place[i]);
+        const Vec3 xi = x[i], mi = normal[k];
+        if (squared(mi) == 0) return;
+        float weight = 0, sum = 0;
+        near.forEach(i, [&](int j)
+        {
+            const int l = int(surface.place[j]);
+            if (int(surface.place[j + 1]) == l || !onSameSurface(mi, normal[l])) return;
+            const float w = W.W(norm(xi - x[j])) * part[l];
+            weight += w;
+            sum += w * curvature[l];
+        }, team);
+        const float own = curvature[k], ownWeight = W.W(0) * part[k];
+        weight = team.sum(weight) + ownWeight;
+        sum = team.sum(sum) + ownWeight * own;
+        if (!team.first()) return;
+        const float mean = weight > 0 ? sum / weight : own, away = fabsf(own - mean);
+        const float u = mean > trusted * away ? 1 : fmaxf(mean, 0) / fmaxf(trusted * away, 1e-20f);
+        const float jump = sigma * (mean + u * u * (3 - 2 * u) * (own - mean));
+        lowestPressure[k] = fminf(fmaxf(holds * jump, lowestPressure[k]), 0);
+        acceleration[i] += 2 * jump / restDensity * part[k] * surface.gradient[k];
     }
 };
 
@@ -185,15 +218,20 @@ public:
         const WendlandC2 W = surface_.kernel();
         if (!extended_) tabulate(walls);
         Buffer<Vec3> position(liquid.owned()), normal(liquid.owned());      // of the particles near the surface
-        Buffer<float> part(liquid.owned());
+        Buffer<float> part(liquid.owned()), curvature(liquid.owned());
         const FreeSurfaceView view = surface_.view();
         const SelectedSearch among = near.wide(surface_.particles(), position);
         forEach(surface_.particles(), PackPositions{view.place, liquid.predicted.span(), position.span()});
         forEachTeam(surface_.particles(), SmoothNormal{W, surface_.steepest(), view, among, normal.span(), part.span()});
+        forEachTeam(surface_.particles(), Curvature
+        {
+            W, liquid.particleVolume(), sharpest / liquid.spacing(), view, normal.span(), part.span(), among,
+            extended_->view(), walls.view(), curvature.span()
+        });
         forEachTeam(surface_.particles(), Force
         {
-            W, liquid.particleVolume(), sharpest / liquid.spacing(), sigma_, liquid.restDensity(), view, normal.span(),
-            part.span(), among, extended_->view(), walls.view(), surface_.lowestPressure(), acceleration.span()
+            W, sigma_, liquid.restDensity(), liquid.predicted.span(), near.view(), view, normal.span(), part.span(),
+            curvature.span(), surface_.lowestPressure(), acceleration.span()
         });
     }
 

@@ -358,7 +358,7 @@ TEST(CompletedPbf, PullsNoMoreThanTheTensionAllows)
 TEST(CompletedPbf, TakesFewerIterationsWhereLittleIsLeft)
 {
     LiquidCase drop;
-    const auto pressure = makePressure(drop, "minIterations 1; maxIterations 4; tolerance 0.05;");
+    const auto pressure = makePressure(drop, "completedPbf", "minIterations 1; maxIterations 4; tolerance 0.05;");
     drop.place(latticeBlock(8, 8, 8, 0.8f));
     EXPECT_EQ(iterate(*pressure, drop, 0.02f), 4);
     std::vector<int> made;

@@ -5,6 +5,7 @@
 
 #include "support/LiquidCase.H"
 #include "support/ReferenceKernels.H"
+#include "support/SurfaceStates.H"
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -174,6 +175,37 @@ TEST(ContinuumSurfaceForce, IsYoungsAtTheContactLine)
             EXPECT_LT(share, 1.2) << wedge << " " << theta;
         }
     }
+}
+
+// Around a bubble in disordered liquid the surface bears the suction 1.5 sigma kappa, kappa = -2/R, nearly everywhere alike: with
+// the mean over the neighbours kappa scatters by a tenth; that of single particles does by 14 %.
+TEST(ContinuumSurfaceForce, BearsSuctionAlikeAtAHollowSurface)
+{
+    LiquidCase drop;
+    const auto tension = makeTension(drop);
+    const float R = 7;
+    RandomNumbers random(5);
+    auto points = latticeBlock(26, 26, 26, 1, {-12.5f, -12.5f, -12.5f});
+    std::erase_if(points, [&](Vec3 p) { return norm(p) < R; });
+    for (Vec3& p : points) p += random({-0.25f, -0.25f, -0.25f}, {0.25f, 0.25f, 0.25f});
+    points.push_back({0, 0, 2.5f - R});                 // has nobody in the density's support to take a mean of
+    for (const Vec3 f : tensionOf(drop, *tension, points)) ASSERT_TRUE(std::isfinite(norm(f)));
+    points.pop_back();
+    tensionOf(drop, *tension, points);
+    const auto states = surfaceStates(drop);
+    const float sigma = drop.liquid.units().toScaled(drop.liquid.properties().surfaceTension, dimensions::surfaceTension);
+    double n = 0, sum = 0, squares = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        if (norm(points[i]) > R + 1) continue;
+        const double kappa = states[i].lowestPressure * drop.liquid.spacing() / (1.5 * sigma);
+        ++n;
+        sum += kappa;
+        squares += kappa * kappa;
+    }
+    const double mean = sum / n;
+    EXPECT_NEAR(mean, -2 / R, 0.03 * 2 / R);                            // the lattice's roughness, as of the ball
+    EXPECT_LT(std::sqrt(squares / n - mean * mean), 0.12 * 2 / R);
 }
 
 TEST(ContinuumSurfaceForce, RefusesASupportOutOfRange)
