@@ -11,6 +11,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/PatchedSurface.C
     geometry/PlaneFit.C
     geometry/PlyFile.C
+    geometry/PlyHeader.C
     geometry/PointsInside.C
     geometry/ProfileFit.C
     geometry/SampledWall.C

@@ -2,14 +2,13 @@
 
 #include "core/fieldFile/AtomicFile.H"
 #include "core/messages/Error.H"
+#include "geometry/PlyHeader.H"
 
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <limits>
-#include <map>
-#include <sstream>
 
 namespace shizuku
 {
@@ -19,44 +18,18 @@ static_assert(std::endian::native == std::endian::little, "binary PLY is written
 namespace
 {
 
-enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-struct Property
-{
-    std::string name;
-    Scalar type;
-    bool list = false;
-    Scalar countType = Scalar::uint8;   // of a list
-};
-
-struct Element
-{
-    std::string name;
-    std::size_t count = 0;
-    std::vector<Property> properties;
-};
-
-const std::map<std::string, Scalar> scalarWords
-{
-    {"char", Scalar::int8}, {"int8", Scalar::int8}, {"uchar", Scalar::uint8}, {"uint8", Scalar::uint8},
-    {"short", Scalar::int16}, {"int16", Scalar::int16}, {"ushort", Scalar::uint16}, {"uint16", Scalar::uint16},
-    {"int", Scalar::int32}, {"int32", Scalar::int32}, {"uint", Scalar::uint32}, {"uint32", Scalar::uint32},
-    {"float", Scalar::float32}, {"float32", Scalar::float32}, {"double", Scalar::float64},
-    {"float64", Scalar::float64}
-};
-
 class PlyReader
 {
 public:
     explicit PlyReader(const std::filesystem::path& file) : file_(file), in_(file, std::ios::binary)
     {
         if (!in_) fail("Cannot read the mesh", "a PLY file");
-        readHeader();
+        header_ = PlyHeader::read(in_, file_);
     }
 
     TriangleMesh read()
     {
-        for (const Element& element : elements_)
+        for (const PlyElement& element : header_.elements)
         {
             if (element.name == "vertex") readVertices(element);
             else if (element.name == "face") readFaces(element);
@@ -69,90 +42,7 @@ public:
 private:
     [[noreturn]] void fail(const std::string& found, const std::string& expected = "") const
     {
-        throw FatalInputError({file_.string(), line_}, found, expected);
-    }
-
-    std::string headerLine()
-    {
-        std::string text;
-        if (!std::getline(in_, text)) fail("The header ends before 'end_header'");
-        ++line_;
-        if (!text.empty() && text.back() == '\r') text.pop_back();
-        return text;
-    }
-
-    Scalar scalarOf(const std::string& name) const
-    {
-        const auto found = scalarWords.find(name);
-        if (found != scalarWords.end()) return found->second;
-        std::vector<std::string> choices;
-        for (const auto& [valid, type] : scalarWords) choices.push_back(valid);
-        throw FatalInputError({file_.string(), line_}, "Unknown type '" + name + "'", "", choices, name);
-    }
-
-    void readHeader()
-    {
-        if (headerLine() != "ply") fail("The first line is not 'ply'", "a PLY file");
-        bool formatGiven = false;
-        for (std::string text = headerLine(); text != "end_header"; text = headerLine())
-        {
-            std::istringstream words(text);
-            std::string keyword;
-            words >> keyword;
-            if (keyword.empty() || keyword == "comment" || keyword == "obj_info") continue;
-            if (keyword == "format")
-            {
-                std::string format;
-                words >> format;
-                if (format != "ascii" && format != "binary_little_endian")
-                {
-                    throw FatalInputError
-                    (
-                        {file_.string(), line_}, "Unknown format '" + format + "'", "",
-                        {"ascii", "binary_little_endian"}, format
-                    );
-                }
-                ascii_ = format == "ascii";
-                formatGiven = true;
-            }
-            else if (keyword == "element")
-            {
-                Element element;
-                if (!(words >> element.name >> element.count)) fail("Malformed: " + text, "element NAME COUNT");
-                elements_.push_back(element);
-            }
-            else if (keyword == "property")
-            {
-                if (elements_.empty()) fail("A property before any element");
-                elements_.back().properties.push_back(readProperty(words, text));
-            }
-            else
-            {
-                throw FatalInputError
-                (
-                    {file_.string(), line_}, "Unknown keyword '" + keyword + "'", "",
-                    {"format", "comment", "obj_info", "element", "property", "end_header"}, keyword
-                );
-            }
-        }
-        if (!formatGiven) fail("The header has no format");
-    }
-
-    Property readProperty(std::istringstream& words, const std::string& text) const
-    {
-        Property property;
-        std::string type;
-        words >> type;
-        if (type == "list")
-        {
-            std::string countType;
-            words >> countType >> type;
-            property.list = true;
-            property.countType = scalarOf(countType);
-        }
-        property.type = scalarOf(type);
-        if (!(words >> property.name)) fail("Malformed: " + text, "property [list COUNT_TYPE] TYPE NAME");
-        return property;
+        throw FatalInputError({file_.string(), header_.lines}, found, expected);
     }
 
     template<class T> double binaryValue()
@@ -162,40 +52,40 @@ private:
         return double(value);
     }
 
-    double value(Scalar type)
+    double value(PlyScalar type)
     {
         double result = 0;
-        if (ascii_)
+        if (header_.ascii)
         {
             std::string text;
             in_ >> text;
             char* end = nullptr;
             result = std::strtod(text.c_str(), &end);
             if (in_ && *end != '\0') fail("'" + text + "' in element " + position_, "a number");
-            if (type == Scalar::float32) result = float(result);    // as it was before it became text
+            if (type == PlyScalar::float32) result = float(result);    // as it was before it became text
         }
         else switch (type)
         {
-            case Scalar::int8: result = binaryValue<std::int8_t>(); break;
-            case Scalar::uint8: result = binaryValue<std::uint8_t>(); break;
-            case Scalar::int16: result = binaryValue<std::int16_t>(); break;
-            case Scalar::uint16: result = binaryValue<std::uint16_t>(); break;
-            case Scalar::int32: result = binaryValue<std::int32_t>(); break;
-            case Scalar::uint32: result = binaryValue<std::uint32_t>(); break;
-            case Scalar::float32: result = binaryValue<float>(); break;
-            case Scalar::float64: result = binaryValue<double>(); break;
+            case PlyScalar::int8: result = binaryValue<std::int8_t>(); break;
+            case PlyScalar::uint8: result = binaryValue<std::uint8_t>(); break;
+            case PlyScalar::int16: result = binaryValue<std::int16_t>(); break;
+            case PlyScalar::uint16: result = binaryValue<std::uint16_t>(); break;
+            case PlyScalar::int32: result = binaryValue<std::int32_t>(); break;
+            case PlyScalar::uint32: result = binaryValue<std::uint32_t>(); break;
+            case PlyScalar::float32: result = binaryValue<float>(); break;
+            case PlyScalar::float64: result = binaryValue<double>(); break;
         }
         if (!in_) fail("The file ends within element " + position_);
         return result;
     }
 
     // Values of one element, one vector a property.
-    const std::vector<std::vector<double>>& readRecord(const Element& element)
+    const std::vector<std::vector<double>>& readRecord(const PlyElement& element)
     {
         record_.resize(element.properties.size());
         for (std::size_t p = 0; p < element.properties.size(); ++p)
         {
-            const Property& property = element.properties[p];
+            const PlyProperty& property = element.properties[p];
             const double count = property.list ? value(property.countType) : 1;
             if (!(count >= 0)) fail("A list of negative length in element " + position_);
             record_[p].clear();
@@ -204,7 +94,7 @@ private:
         return record_;
     }
 
-    static int find(const Element& element, const std::string& name)
+    static int find(const PlyElement& element, const std::string& name)
     {
         for (std::size_t p = 0; p < element.properties.size(); ++p)
         {
@@ -213,7 +103,7 @@ private:
         return -1;
     }
 
-    void readVertices(const Element& element)
+    void readVertices(const PlyElement& element)
     {
         const std::array<int, 3> at{find(element, "x"), find(element, "y"), find(element, "z")};
         const std::array<int, 3> normalAt{find(element, "nx"), find(element, "ny"), find(element, "nz")};
@@ -239,7 +129,7 @@ private:
         }
     }
 
-    void readFaces(const Element& element)
+    void readFaces(const PlyElement& element)
     {
         int at = find(element, "vertex_indices");
         if (at < 0) at = find(element, "vertex_index");
@@ -282,9 +172,7 @@ private:
 
     std::filesystem::path file_;
     std::ifstream in_;
-    int line_ = 0;                      // of the header
-    bool ascii_ = false;
-    std::vector<Element> elements_;
+    PlyHeader header_;
     std::vector<std::vector<double>> record_;
     std::string position_;              // "vertex 12", for messages
     TriangleMesh mesh_;

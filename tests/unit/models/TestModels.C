@@ -132,7 +132,7 @@ TEST(Models, WithoutAFreeSurfaceLeaveItIdle)
     const auto layer = latticeBlock(9, 9, 1, 1, {-4, -4, -0.5f});
     for (const bool surface : {false, true})
     {
-        LiquidCase drop({.walls = "floor { type particles; surface \"floor.stl\"; }", .solidPositions = layer,
+        LiquidCase drop({.walls = sampledFloor, .solidPositions = layer,
                          .solidTheta = std::vector<double>(layer.size(), 60)});
         drop.folder.write
         (

@@ -9,8 +9,6 @@ using namespace shizuku::test;
 namespace
 {
 
-const std::string sampledFloor = "floor { type particles; surface \"floor.stl\"; }";
-
 std::string refusalOf(const CaseText& text)
 {
     return messageOf([&] { LiquidCase{text}; });

@@ -55,7 +55,7 @@ TEST(Density, OfALoneParticleIsItsOwnShare)
 TEST(Density, AddsTheSharesOfWalls)
 {
     const auto solid = latticeBlock(15, 15, 1, 0.9f, {-6.3f, -6.3f, -0.5f});
-    LiquidCase drop({.walls = "floor { type particles; surface \"floor.stl\"; }"
+    LiquidCase drop({.walls = sampledFloor +
                               "side { type plane; point (-3e-3 0 0); normal (1 0 0); }",
                      .solidPositions = solid});
     const auto points = randomPoints(200, {-3, -3, 0.2f}, {3, 3, 4});

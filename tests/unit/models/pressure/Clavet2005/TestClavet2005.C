@@ -88,7 +88,7 @@ TEST(Clavet2005, EqualsTheSumOverAllPairs)
 TEST(Clavet2005, TakesSolidParticlesForLiquidThatStays)
 {
     constexpr float dt = 0.05f;
-    LiquidCase drop({.walls = "floor { type particles; surface \"floor.stl\"; }", .solidPositions = {{0, 0, 0}}});
+    LiquidCase drop({.walls = sampledFloor, .solidPositions = {{0, 0, 0}}});
     const auto pressure = makePressure(drop, "Clavet2005", "maxSpeed 1;");
     drop.place({{0, 0, 1.2f}});
     const auto before = drop.inOrder(drop.liquid.predicted);

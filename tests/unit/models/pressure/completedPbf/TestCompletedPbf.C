@@ -92,7 +92,7 @@ TEST(CompletedPbf, TakesADropOnAWallToBeAtRest)
         CaseText text{.walls = floorPlane};
         if (sampled)
         {
-            text.walls = "floor { type particles; surface \"floor.stl\"; }";
+            text.walls = sampledFloor;
             text.solidPositions = latticeBlock(33, 33, 1, 1, {-16, -16, -0.5f});
         }
         LiquidCase drop(text);

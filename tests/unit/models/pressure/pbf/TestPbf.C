@@ -70,7 +70,7 @@ TEST(Pbf, PushesLiquidOffWallsAlongTheirNormals)
         CaseText text{.walls = floorPlane};
         if (particles)
         {
-            text.walls = "floor { type particles; surface \"floor.stl\"; }";
+            text.walls = sampledFloor;
             text.solidPositions = latticeBlock(11, 11, 1, 1, {-5, -5, -0.5f});
         }
         LiquidCase drop(text);

@@ -60,7 +60,7 @@ TEST(PairTension, EqualsTheSumOverAllPairsNearSolidParticles)
     const auto solid = latticeBlock(11, 11, 1, 0.8f, {-4, -4, -0.4f});
     for (const bool wallNormals : {false, true})
     {
-        LiquidCase drop({.walls = "floor { type particles; surface \"floor.stl\"; }", .solidPositions = solid,
+        LiquidCase drop({.walls = sampledFloor, .solidPositions = solid,
                          .solidTheta = std::vector<double>(solid.size(), 60)});
         const auto tension = makeTension(drop, wallNormals ? "Fujisawa2014" : "Akinci2013");
         drop.place(points);

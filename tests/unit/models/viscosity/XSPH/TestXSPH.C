@@ -45,7 +45,7 @@ TEST(XSPH, HoldsBackAtWallsWithoutSlip)
             CaseText text{.walls = "side { type plane; point (-3.5e-3 0 0); normal (1 0 0); }"};
             if (sampled)
             {
-                text.walls += "floor { type particles; surface \"floor.stl\"; }";
+                text.walls += sampledFloor;
                 text.solidPositions = solid;
             }
             LiquidCase drop(text);

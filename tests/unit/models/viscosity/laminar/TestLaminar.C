@@ -106,7 +106,7 @@ TEST(Laminar, IsHeldBackByAWall)
 TEST(Laminar, IsHeldBackBySolidParticles)
 {
     LiquidCase flow({.liquidProperties = "rho 1000; nu 1e-4; sigma 0.072;",
-                     .walls = "floor { type particles; surface \"floor.stl\"; }",
+                     .walls = sampledFloor,
                      .solidPositions = latticeBlock(9, 9, 1, 1, {-4, -4, -0.5f})});
     flow.place({{0, 0, 0.5f}, {0, 0, 2.5f}}, std::vector<Vec3>(2, {1, 0, 0}));
     const auto model = Viscosity::New(Dictionary::parse("viscosity laminar;"), flow.liquid);

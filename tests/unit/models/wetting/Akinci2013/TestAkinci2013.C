@@ -9,8 +9,6 @@ using namespace shizuku::test;
 namespace
 {
 
-const std::string sampledFloor = "floor { type particles; surface \"floor.stl\"; }";
-
 std::vector<Vec3> adhesionOf(LiquidCase& drop, const std::string& models)
 {
     const Dictionary dict = Dictionary::parse(models);

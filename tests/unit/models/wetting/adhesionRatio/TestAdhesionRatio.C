@@ -36,7 +36,7 @@ TEST(AdhesionRatio, IsTheLiquidsForceTimesTheRatio)
     {
         for (const double theta : {0.0, 60.0, 120.0})
         {
-            LiquidCase drop({.walls = "floor { type particles; surface \"floor.stl\"; }", .solidPositions = {{0, 0, 0}},
+            LiquidCase drop({.walls = sampledFloor, .solidPositions = {{0, 0, 0}},
                              .solidTheta = {theta}});
             const Vector3 found = pullOfWall(drop, word, {0, 0, 1.4f});
             const double V = 1 / Reference<CubicSpline>{2}.W(0);            // over d^3

@@ -39,7 +39,7 @@ TEST(ContactAngleWetting, EqualsTheSumOverSolidParticles)
     {
         for (const std::string solidNormal : {"zero", "wall", "SPH"})
         {
-            LiquidCase drop({.walls = "floor { type particles; surface \"floor.stl\"; }", .solidPositions = solid,
+            LiquidCase drop({.walls = sampledFloor, .solidPositions = solid,
                              .solidTheta = std::vector<double>(solid.size(), theta)});
             auto reference = pairSystem<CubicSpline>(drop, points, solid);
             reference.solidCosTheta = std::cos(theta * std::numbers::pi / 180);
@@ -75,7 +75,7 @@ TEST(ContactAngleWetting, EqualsTheIntegralOverAnAnalyticFloor)
 // gamma_LS = gamma (1 + cos theta)/2 vanishes at 180 degrees: nothing pulls.
 TEST(ContactAngleWetting, PullsNothingAt180Degrees)
 {
-    LiquidCase drop({.walls = "floor { type particles; surface \"floor.stl\"; }", .solidPositions = solid,
+    LiquidCase drop({.walls = sampledFloor, .solidPositions = solid,
                      .solidTheta = std::vector<double>(solid.size(), 180)});
     for (const Vec3& a : wettingOf(drop, points, "wall")) ASSERT_EQ(norm(a), 0);
 }
