@@ -5,23 +5,11 @@
 using namespace shizuku;
 using namespace shizuku::test;
 
-namespace
-{
-
-const CaseText analyticFloor{.walls = "floor { type plane; point (0 0 0); normal (0 0 1); }"};
-const CaseText sampledFloor
-{
-    .walls = "floor { type particles; surface \"floor.stl\"; }",
-    .solidPositions = latticeBlock(3, 3, 1, 1, {-1, -1, -0.5f})
-};
-
-}
-
 TEST(@class@, PullsWhatIsNearAWall)
 {
-    for (const CaseText& text : {analyticFloor, sampledFloor})
+    for (const std::string& walls : {floorPlane, sampledFloor})
     {
-        LiquidCase drop(text);
+        LiquidCase drop({.walls = walls, .solidPositions = latticeBlock(3, 3, 1, 1, {-1, -1, -0.5f})});
         drop.place({{0, 0, 1}, {0, 0, 5}});
         const Dictionary models = Dictionary::parse
         (
@@ -35,8 +23,8 @@ TEST(@class@, PullsWhatIsNearAWall)
 
         const auto acceleration = drop.inOrder(field);
         const double found = drop.liquid.units().toSI(acceleration[0].z, dimensions::acceleration);
-        EXPECT_NEAR(found, -3, 1e-6) << text.walls;     // single precision
-        EXPECT_EQ(norm(acceleration[1]), 0) << text.walls;
+        EXPECT_NEAR(found, -3, 1e-6) << walls;     // single precision
+        EXPECT_EQ(norm(acceleration[1]), 0) << walls;
     }
 }
 
