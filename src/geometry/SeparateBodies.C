@@ -79,6 +79,17 @@ std::vector<std::string> resolutionWarnings(const std::vector<SeparateBody>& bod
     return warnings;
 }
 
+std::string puddleWarning(double capillaryLength, double theta, double spacing)
+{
+    const double height = 2*capillaryLength*std::sin(theta*std::numbers::pi/360);
+    if (!(height > 0) || height >= thin*spacing) return {};
+    std::ostringstream text;
+    text << "the weight of the liquid flattens it on the wall to " << height/spacing << " spacings or less, the height "
+         << height << " m of a puddle at " << theta << " degrees, less than " << thin
+         << ": such layers are noisy, or break up; a spacing below " << height/thin << " m in system/solution resolves it";
+    return text.str();
+}
+
 std::string describe(const SeparateBody& body, double spacing)
 {
     const double diameter = body.diameter();

@@ -3,18 +3,37 @@
 #include "core/arguments/runApplication.H"
 #include "geometry/SeparateBodies.H"
 
+#include <cmath>
 #include <iostream>
 #include <sstream>
 
 namespace shizuku
 {
 
+namespace
+{
+
+// Where a single plane bears the liquid.
+std::string flatteningWarning(const FlowView& flow)
+{
+    const LiquidProperties& p = flow.properties();
+    const std::optional<Vec3> normal = flow.walls.held().only();
+    const auto g = flow.models.bodyForce->uniform();
+    const double pressing = normal ? -(g[0]*normal->x + g[1]*normal->y + g[2]*normal->z) : 0;
+    if (!(pressing > 0 && p.surfaceTension > 0)) return {};
+    return puddleWarning(std::sqrt(p.surfaceTension/(p.density*pressing)), flow.walls.contactAngles().second, p.spacing);
+}
+
+}
+
 void warnOfResolution(FlowView& flow)
 {
     const std::vector<Vector3>& positions = flow.positions();
     const double spacing = flow.properties().spacing;
     const std::vector<Vector3> velocities(positions.size());
-    for (const std::string& text : resolutionWarnings(separateBodies(positions, velocities, spacing), spacing))
+    std::vector<std::string> warnings = resolutionWarnings(separateBodies(positions, velocities, spacing), spacing);
+    if (const std::string text = flatteningWarning(flow); !text.empty()) warnings.push_back(text);
+    for (const std::string& text : warnings)
     {
         warning(text, {(flow.time.casePath() / "system/solution").string(), 0});
     }

@@ -81,4 +81,15 @@ TEST(SeparateBodies, sayWhatIsResolvedBadly)
     EXPECT_NE(warnings[1].find("body 3 of 3, 27 particles, is coarse, 1.86"), std::string::npos) << warnings[1];
 }
 
+// A puddle's height 2 l sin(theta/2): l at 60 degrees, 2 l at 180.
+TEST(SeparateBodies, sayThatWeightFlattensLiquid)
+{
+    EXPECT_EQ(puddleWarning(3.001, 60, 1), "");
+    EXPECT_EQ(puddleWarning(1.501, 180, 1), "");
+    EXPECT_EQ(puddleWarning(1, 0, 1), "");
+    const std::string text = puddleWarning(1, 60, 0.5);
+    EXPECT_NE(text.find("to 2 spacings or less, the height 1 m of a puddle at 60 degrees"), std::string::npos) << text;
+    EXPECT_NE(text.find("a spacing below 0.333333 m"), std::string::npos) << text;
+}
+
 }
