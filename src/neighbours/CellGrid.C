@@ -3,6 +3,8 @@
 #include "device/Algorithms.H"
 #include "device/ForEach.H"
 
+#include <algorithm>
+
 namespace shizuku
 {
 
@@ -50,26 +52,42 @@ struct FindStarts
 
 }
 
-CellGrid::CellGrid(float cellSize, float reach) : cellSize_(cellSize), leastBits_(1)
+namespace
 {
-    const std::uint32_t mostVisited = std::uint32_t(2.01f * reach / cellSize) + 2;
-    while ((1u << leastBits_) < mostVisited) ++leastBits_;
+
+// Of as many cells as a search of that reach visits along an axis.
+std::uint32_t bitsOfSearch(float reach, float cell)
+{
+    const std::uint32_t mostVisited = std::uint32_t(2.01f * reach / cell) + 2;
+    std::uint32_t bits = 1;
+    while ((1u << bits) < mostVisited) ++bits;
+    return bits;
 }
+
+}
+
+CellGrid::CellGrid(float cellSize, float reach)
+:
+    cellSize_(cellSize), leastBits_(bitsOfSearch(reach, cellSize)),
+    leastBitsX_(bitsOfSearch(reach, cellSize / device::cellsInWidth))
+{}
 
 void CellGrid::chooseSize(int n)
 {
-    // About one cell a particle: a full cell holds eight or more, so liquid spread thinly still finds room.
-    std::uint32_t bits = 3 * leastBits_;
+    // About one cell a particle: a full cell holds several, so liquid spread thinly still finds room. As far along each axis.
+    constexpr std::uint32_t moreAlongX = device::cellsInWidth - 1;
+    std::uint32_t bits = 2 * leastBits_ + leastBitsX_;
     while (bits < 27 && (1u << bits) < std::uint32_t(n)) ++bits;
-    bitsX_ = (bits + 2) / 3;
-    bitsY_ = (bits + 1) / 3;
-    bitsZ_ = bits / 3;
+    bitsX_ = std::max((bits - moreAlongX + 2) / 3 + moreAlongX, leastBitsX_);
+    bitsY_ = (bits - bitsX_ + 1) / 2;
+    bitsZ_ = bits - bitsX_ - bitsY_;
     start_.resizeDiscarding((1 << bits) + 1);
 }
 
 CellGridView CellGrid::view() const
 {
-    return {cellSize_, 1 / cellSize_, bitsX_, bitsY_, bitsZ_, start_.span()};
+    const float perCell = 1 / cellSize_;
+    return {cellSize_, perCell, device::cellsInWidth * perCell, bitsX_, bitsY_, bitsZ_, start_.span()};
 }
 
 Buffer<std::uint32_t> CellGrid::build(Span<const Vec3> positions, int n)

@@ -21,7 +21,7 @@ void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, 
     {
         models.forces.applyInIteration(liquid, near, walls, dt);
         models.pressure->correct(liquid, near, walls);
-        walls.project(liquid);
+        if (!models.pressure->stopsAtWalls()) walls.project(liquid);
     }
 
     updateVelocities(liquid, dt);

@@ -1,5 +1,6 @@
 #include "walls/HalfSpace.H"
 
+#include "maths/Simpson.H"
 #include "models/surfaceTension/pairTension/CohesionSpline.H"
 
 #include <cmath>
@@ -11,18 +12,6 @@ namespace
 {
 
 constexpr double pi = 3.14159265358979323846;
-
-template<class Integrand>
-double integrate(double from, double to, const Integrand& f)
-{
-    constexpr int n = 400;
-    double sum = f(from) + f(to);
-    for (int i = 1; i < n; ++i)
-    {
-        sum += (i % 2 ? 4 : 2) * f(from + (to - from) * i / n);
-    }
-    return sum * (to - from) / (3 * n);
-}
 
 // At distance r from the particle the half-space at distance s >= 0 holds a cap of the sphere: area 2 pi r (r - s), and
 // the mean of cos over it, times its area, is pi (r^2 - s^2).

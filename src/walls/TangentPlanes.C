@@ -22,7 +22,7 @@ struct FindAround
         bool any = false;
         for (int k = z - cells; k <= z + cells && !any; ++k)
             for (int j = y - cells; j <= y + cells && !any; ++j)
-                for (int i = x - cells; i <= x + cells && !any; ++i)
+                for (int i = x - cells * device::cellsInWidth; i <= x + cells * device::cellsInWidth && !any; ++i)
                 {
                     const int key = int(grid.key(i, j, k));
                     any = grid.start[key + 1] > grid.start[key];

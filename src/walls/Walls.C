@@ -207,11 +207,12 @@ void Walls::update(const Liquid& liquid)
 void Walls::project(Liquid& liquid) const
 {
     if (surfaces_.count == 0 && particles() == 0) return;
-    forEachTeam
-    (
-        liquid.owned(),
-        KeepOutside{view(), liquid.support(), liquid.spacing(), liquid.position.span(), liquid.predicted.span()}
-    );
+    forEachTeam(liquid.owned(), KeepOutside{stop(liquid), liquid.predicted.span()});
+}
+
+WallStop Walls::stop(const Liquid& liquid) const
+{
+    return {view(), liquid.support(), liquid.spacing(), liquid.position.span()};
 }
 
 void Walls::refuseLiquidInside(const Liquid& liquid) const

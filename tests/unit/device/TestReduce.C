@@ -33,25 +33,43 @@ struct ReadFloat
     HOST_DEVICE FloatSum operator()(int i) const { return {values[i]}; }
 };
 
-// The order that device/Reduce.H fixes, one addition after the other.
-std::vector<float> foldLanes(const std::vector<float>& values, int lanes)
+int widthOf([[maybe_unused]] int sums)
 {
-    const int n = int(values.size()), share = (n + lanes - 1) / lanes;
-    std::vector<float> sums(lanes, 0);
-    for (int c = 0; c < lanes; ++c)
+#ifdef __CUDACC__
+    return device::teamWidth(sums);
+#else
+    return 1;
+#endif
+}
+
+// The order that device/Reduce.H fixes, one addition after the other.
+std::vector<float> fold(const std::vector<float>& values, int sums)
+{
+    const int n = int(values.size()), width = widthOf(sums), share = (n + sums * width - 1) / (sums * width);
+    std::vector<float> result;
+    for (int c = 0; c < sums; ++c)
     {
-        for (int k = 0; k < share; ++k)
+        std::vector<float> lane(width, 0);
+        for (int l = 0; l < width; ++l)
         {
-            const int i = device::interleave > 1 ? c + k * lanes : c * share + k;
-            if (i < n) sums[c] += values[i];
+            for (int k = 0; k < share; ++k)
+            {
+                const int i = device::interleave > 1 ? (c + k * sums) * width + l : c * share + k;
+                if (i < n) lane[l] += values[i];
+            }
         }
+        for (int half = width / 2; half > 0; half /= 2)
+        {
+            for (int l = 0; l < half; ++l) lane[l] += lane[l + half];
+        }
+        result.push_back(lane[0]);
     }
-    return sums;
+    return result;
 }
 
 }
 
-// Integers do not round: the sum is exact, whatever the number of lanes leaves over.
+// Integers do not round: the sum is exact, whatever the number of sums leaves over.
 TEST(Reduce, SumsIntegersExactly)
 {
     Buffer<LongSum> scratch;
@@ -68,9 +86,9 @@ TEST(Reduce, GivesTheSameBitsOnAnyNumberOfThreads)
     std::vector<float> values(20011);
     for (float& v : values) v = std::exp(random(-12, 12)) * (random(0, 1) < 0.5f ? -1.0f : 1.0f);
     float expected = 0;
-    const int lanes = device::lanesFor(int(values.size()));
-    EXPECT_EQ(lanes, 512);              // of 32 to 64 values
-    for (const float part : foldLanes(foldLanes(values, lanes), device::fewLanes)) expected += part;
+    const int sums = device::sumsFor(int(values.size()));
+    EXPECT_EQ(sums, 512);               // of 32 to 64 values
+    for (const float part : fold(fold(values, sums), device::fewSums)) expected += part;
 
     const Buffer<float> buffer(values);
     Buffer<FloatSum> scratch;

@@ -56,9 +56,10 @@ struct RaisePressure
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const ConstraintSums sums = constraintSums(W, volume, i, x, near, team);
+        const bool atWall = walls.walls.isNear(i, x[i], W.h, team);
         if (!team.first()) return;
         const SurfaceState own = surface(i);
-        const auto wall = walls(i, x[i], own.contact);
+        const auto wall = atWall ? walls(i, x[i], own.contact) : WallCompletion::Sum{};
         const HalfSpaceValues gas = plane(own.depth);
         const Vec3 gradient = sums.gradient + wall.gradient;
         density[i] = (densityVolume * sums.W + wall.value) / (1 - gas.density);
@@ -84,6 +85,7 @@ struct Displace
     NeighbourView near;
     Span<const float> increase;
     Span<const Vec3> push, internal;        // internal: of it what should not move the liquid as a whole; may be empty
+    WallStop stop;
     Span<Vec3> total, corrected;
 
     HOST_DEVICE void operator()(int i, Team team) const
@@ -93,8 +95,9 @@ struct Displace
         Team::Vector sum;
         near.forEach(i, xi, x, [&](auto j, auto r) { sum += (increase[j] + own) * W.g(norm(r)) * r; }, team);
         const Vec3 step = volume * team.sum(sum);
+        const Vec3 admitted = stop(i, xi - step - push[i], team);
         if (!team.first()) return;
-        corrected[i] = xi - step - push[i];
+        corrected[i] = admitted;
         if (internal.size > 0) total[i] += internal[i];
     }
 };
@@ -155,7 +158,7 @@ public:
         return steady_.wantAnother(liquid, controls_, iterations_);
     }
 
-    void correct(Liquid& liquid, const Neighbourhood& near, const Walls&) override
+    void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
         ++iterations_;
         Buffer<Vec3> corrected(liquid.all());
@@ -166,13 +169,15 @@ public:
                 forEachTeam(liquid.owned(), Displace<Kernel>
                 {
                     W, liquid.particleVolume(), liquid.predicted.span(), near.view(), increase_.span(), push_.span(),
-                    internal(), total_.span(), corrected.span()
+                    internal(), walls.stop(liquid), total_.span(), corrected.span()
                 });
             },
             liquid.kernel()
         );
         liquid.predicted.swap(corrected);
     }
+
+    bool stopsAtWalls() const override { return true; }
 
     InternalDisplacement takeDisplacement() override
     {

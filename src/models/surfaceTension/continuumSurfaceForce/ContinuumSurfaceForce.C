@@ -7,11 +7,11 @@
 //     t_ij^2  = r_ij^2 - (x_ij . n_ij)^2                          n_ij: unit vector along n_i + n_j
 //     kappa   : brought up to the surface, kappa_i/(1 + kappa_i D_i/2), D_i the mean depth of the pairs
 //     kappa'_i: their mean over the neighbours in the density's support, by W_ij b_j
-//     a_i     = 2 sigma kappa b_i G_i / rho0,     kappa going from kappa_i, where kappa'_i is above 4 |kappa_i - kappa'_i|,
+//     a_i     = 2 sigma kappa b_i G_i / (J rho0), kappa going from kappa_i, where kappa'_i is above 4 |kappa_i - kappa'_i|,
 //                                                 to kappa'_i, where that is below zero
 //
-// On a sphere each pair gives exactly 2/r at the pair's mean radius. The 2 of a_i: |G| integrates to one across the
-// surface, and only its inner half carries particles. Near the surface means |G| above 0.2 of a planar surface's; b grows
+// On a sphere each pair gives exactly 2/r at the pair's mean radius. J(kappa): what 2 b |G| adds up to where particles are, on the
+// liquid's side of a surface of that curvature (SurfaceLayer.H). Near the surface means |G| above 0.2 of a planar surface's; b grows
 // smoothly from 0 there to 1 at 0.4. The second layer stands about there, and a force that is switched on and off makes its
 // particles tremble. Particles with normals apart by more than a right angle lie on different surfaces. At a hollow surface
 // liquid is under suction and the surface gives way where a single particle reads too little of it: there all near it have the
@@ -34,6 +34,7 @@
 
 #include "freeSurface/FreeSurface.H"
 #include "models/surfaceTension/SurfaceTension.H"
+#include "models/surfaceTension/continuumSurfaceForce/SurfaceLayer.H"
 
 namespace shizuku
 {
@@ -41,8 +42,8 @@ namespace shizuku
 namespace
 {
 
-constexpr float nearSurface = 0.2f, allOfForce = 0.4f;      // of the planar |G|: b grows from 0 to 1 in between
-constexpr float halfOfForce = 0.5f * (nearSurface + allOfForce);
+constexpr SetIn usualSetIn{0.2f, 0.4f};     // b
+constexpr float halfOfForce = 0.5f * (usualSetIn.from + usualSetIn.all);
 constexpr float sharpest = 0.7f;            // largest |kappa|, times the spacing
 constexpr float holds = 1.5f;               // lowest pressure at a hollow surface, over sigma kappa
 constexpr float trusted = 4;                // kappa' from which a single kappa stands, over its distance from kappa'
@@ -63,6 +64,7 @@ HOST_DEVICE inline auto onSameSurface(Vec3 mi, Vector auto mj) { return squared(
 struct SmoothNormal
 {
     WendlandC2 W;
+    SetIn setIn;
     float steepest;                         // the planar |G|
     FreeSurfaceView surface;
     SelectedSearch near;
@@ -73,7 +75,7 @@ struct SmoothNormal
     {
         const int k = int(surface.place[i]);
         const Vec3 G = surface.gradient[k];
-        const float least = nearSurface * steepest;
+        const float least = setIn.from * steepest;
         if (squared(G) <= least * least)
         {
             if (team.first())
@@ -94,8 +96,7 @@ struct SmoothNormal
         const Vec3 sum = team.sum(sums) - W.W(0) * G;
         if (!team.first()) return;
         normal[k] = 1 / norm(sum) * sum;
-        const float t = fminf((norm(G) / steepest - nearSurface) / (allOfForce - nearSurface), 1);
-        part[k] = t * t * (3 - 2 * t);
+        part[k] = setIn(norm(G) / steepest);
     }
 };
 
@@ -155,6 +156,7 @@ struct Curvature
 struct Force
 {
     WendlandC2 W;
+    SurfaceLayerView layer;
     float sigma, restDensity;
     Span<const Vec3> x;
     NeighbourView near;
@@ -184,9 +186,9 @@ struct Force
         if (!team.first()) return;
         const float mean = weight > 0 ? sum / weight : own, away = fabsf(own - mean);
         const float u = mean > trusted * away ? 1 : fmaxf(mean, 0) / fmaxf(trusted * away, 1e-20f);
-        const float jump = sigma * (mean + u * u * (3 - 2 * u) * (own - mean));
+        const float kappa = mean + u * u * (3 - 2 * u) * (own - mean), jump = sigma * kappa;
         lowestPressure[k] = fminf(fmaxf(holds * jump, lowestPressure[k]), 0);
-        acceleration[i] += 2 * jump / restDensity * part[k] * surface.gradient[k];
+        acceleration[i] += 2 * jump / (layer(kappa) * restDensity) * part[k] * surface.gradient[k];
     }
 };
 
@@ -216,21 +218,25 @@ public:
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
         const WendlandC2 W = surface_.kernel();
-        if (!extended_) tabulate(walls);
+        const float most = sharpest / liquid.spacing();
+        if (!extended_) tabulate(walls, most);
         Buffer<Vec3> position(liquid.owned()), normal(liquid.owned());      // of the particles near the surface
         Buffer<float> part(liquid.owned()), curvature(liquid.owned());
         const FreeSurfaceView view = surface_.view();
         const SelectedSearch among = near.wide(surface_.particles(), position);
         forEach(surface_.particles(), PackPositions{view.place, liquid.predicted.span(), position.span()});
-        forEachTeam(surface_.particles(), SmoothNormal{W, surface_.steepest(), view, among, normal.span(), part.span()});
+        forEachTeam(surface_.particles(), SmoothNormal
+        {
+            W, usualSetIn, surface_.steepest(), view, among, normal.span(), part.span()
+        });
         forEachTeam(surface_.particles(), Curvature
         {
-            W, liquid.particleVolume(), sharpest / liquid.spacing(), view, normal.span(), part.span(), among,
+            W, liquid.particleVolume(), most, view, normal.span(), part.span(), among,
             extended_->view(), walls.view(), curvature.span()
         });
         forEachTeam(surface_.particles(), Force
         {
-            W, sigma_, liquid.restDensity(), liquid.predicted.span(), near.view(), view, normal.span(), part.span(),
+            W, {layer_.span(), most}, sigma_, liquid.restDensity(), liquid.predicted.span(), near.view(), view, normal.span(), part.span(),
             curvature.span(), surface_.lowestPressure(), acceleration.span()
         });
     }
@@ -238,10 +244,11 @@ public:
     bool isInternal() const override { return oneAngle_; }
 
 private:
-    // The wedge's part in the curvature: of what lies near the surface.
-    void tabulate(const Walls& walls)
+    // What the force adds up to, and the wedge's part in the curvature: of what lies near the surface.
+    void tabulate(const Walls& walls, float most)
     {
         const WendlandC2 W = surface_.kernel();
+        layer_.upload(tabulateSurfaceLayer(W, usualSetIn, most));
         const auto plane = tabulateHalfSpace(W);
         const HalfSpaceView view{{plane.data(), int(plane.size())}, W.h};
         float low = 0, high = W.h;
@@ -256,6 +263,7 @@ private:
 
     FreeSurface& surface_;
     float sigma_;
+    Buffer<float> layer_;                   // J
     std::optional<ExtendedLiquid> extended_;
     bool oneAngle_ = false;
 };

@@ -2,6 +2,7 @@
 
 #include "models/forces/NetMotion.H"
 #include "models/surfaceTension/SurfaceTension.H"
+#include "models/surfaceTension/continuumSurfaceForce/SurfaceLayer.H"
 
 #include "support/LiquidCase.H"
 #include "support/ReferenceKernels.H"
@@ -38,48 +39,63 @@ std::vector<Vec3> tensionOf(LiquidCase& drop, SurfaceTension& tension, const std
     return result;
 }
 
-// |G| at distance r from the centre of a ball of radius R: the integral over its surface of W times the cosine.
-double slopeInBall(double r, double R, double h)
-{
-    const Reference<WendlandC2> W{h};
-    const auto ring = [&](double cosine) { return cosine * W.W(std::sqrt(r * r + R * R - 2 * r * R * cosine)); };
-    return 2 * std::numbers::pi * R * R * integrate(-1, 1, 800, ring);
 }
 
-// int of 2 kappa |G|, kappa = 2/R, over what of the ball is near the surface: the inward force, in units of sigma d.
-double forceOnBall(double R, double h)
+// Where b is 1 all over, a sphere has |G| = 1 in all across it, what is inside and what is outside together; a plane half of it to
+// either side. Midpoints of a hundred parts: 1e-3.
+TEST(SurfaceLayer, SharesTheForceOutAcrossTheSurface)
 {
-    const Reference<WendlandC2> W{h};
-    const double steepest = integrate(0, h, 400, [&](double r) { return 2 * std::numbers::pi * r * W.W(r); });
-    const auto shell = [&](double r)
+    const float largest = 0.5f;
+    const auto whole = tabulateSurfaceLayer(WendlandC2(4), {-2, -1}, largest);
+    const int last = int(whole.size()) - 1;
+    EXPECT_NEAR(whole[last / 2], 1, 1e-3);
+    for (int k = 0; k <= last; ++k) EXPECT_NEAR(whole[k] + whole[last - k], 2, 2e-3) << k;
+    EXPECT_GT(whole[last], 1.1);
+}
+
+// Of a plane, with b from 0.2 to 0.4 of the slope at it: the integral of the half-space's slope, computed here by itself.
+TEST(SurfaceLayer, LeavesOutWhatIsNotSetIn)
+{
+    const Reference<WendlandC2> W{4};
+    const auto ring = [&](double r) { return 2 * std::numbers::pi * r * W.W(r); };
+    const auto slope = [&](double s) { return integrate(s, 4, 400, ring); };
+    const double steepest = slope(0);
+    const double expected = integrate(0, 4, 400, [&](double s)
     {
-        const double slope = slopeInBall(r, R, h);
-        return slope > 0.3 * steepest ? 4 * std::numbers::pi * r * r * 2 * (2 / R) * slope : 0;
-    };
-    return integrate(R - h, R, 2000, shell);
+        const double t = std::clamp((slope(s) / steepest - 0.2) / 0.2, 0.0, 1.0);
+        return 2 * t * t * (3 - 2 * t) * slope(s);
+    });
+    const auto table = tabulateSurfaceLayer(WendlandC2(4), {0.2f, 0.4f}, 0.7f);
+    EXPECT_NEAR(table[table.size() / 2], expected, 1e-3);
+    const SurfaceLayerView view{{table.data(), int(table.size())}, 0.7f};
+    EXPECT_EQ(view(-1), table.front());                         // beyond its ends
+    EXPECT_EQ(view(1), table.back());
+    EXPECT_NEAR(view(0), expected, 1e-3);
 }
 
-}
-
-// The total inward force is that of the curvature 2/R and of the integral of |G| over the ball, with R from the particles'
-// volume; and it has no resultant. A lattice's surface is rough: 3 %.
-TEST(ContinuumSurfaceForce, PressesABallByTwiceItsCurvature)
+// The pressure that the force holds in a ball is Laplace's, 2 sigma/R with R from the particles' volume: the sum over shells of what
+// presses on them, over their areas. It has no resultant. A lattice's surface is rough: 3 %.
+TEST(ContinuumSurfaceForce, HoldsLaplacesPressureInABall)
 {
-    for (const float radius : {6.0f, 7.3f, 8.0f, 10.0f})
+    for (const float radius : {6.0f, 7.3f, 8.0f, 10.0f, 13.0f})
     {
         LiquidCase drop;
         const auto tension = makeTension(drop);
         const auto points = latticeBall(radius);
         const auto force = tensionOf(drop, *tension, points);
         const double R = std::cbrt(3 * double(points.size()) / (4 * std::numbers::pi));
-        double inward = 0;
+        double pressure = 0, inward = 0;
         Vec3 total;
         for (std::size_t i = 0; i < points.size(); ++i)
         {
+            const double r = norm(points[i]);
+            if (r == 0) continue;
             total += force[i];
-            inward -= dot(force[i], points[i]) / norm(points[i]);
+            const double in = -dot(force[i], points[i]) / r;
+            inward += in;
+            pressure += in / (4 * std::numbers::pi * r * r);
         }
-        EXPECT_NEAR(inward / forceOnBall(R, 4), 1, 0.03) << radius;
+        EXPECT_NEAR(pressure / (2 / R), 1, 0.03) << radius;
         EXPECT_NEAR(norm(total), 0, 1e-6 * inward) << radius;           // of a thousand terms, by symmetry
     }
 }

@@ -1,0 +1,54 @@
+#include "models/surfaceTension/continuumSurfaceForce/SurfaceLayer.H"
+
+#include "maths/Simpson.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+
+// |G| at distance r from the centre of a sphere of radius R: the integral over its surface of W times the cosine towards r. At
+// distance d from the point a ring of it has the area 2 pi (R/r) d dd and the cosine (r^2 + R^2 - d^2)/(2 r R).
+double slopeAt(double r, double R, const WendlandC2& W)
+{
+    const double nearest = std::abs(r - R), farthest = std::min<double>(W.h, r + R);
+    if (nearest >= farthest) return 0;
+    const auto ring = [&](double d) { return pi / (r * r) * W.W(float(d)) * (r * r + R * R - d * d) * d; };
+    return integrate(nearest, farthest, ring);
+}
+
+}
+
+std::vector<float> tabulateSurfaceLayer(const WendlandC2& W, const SetIn& b, float largest)
+{
+    constexpr int half = 16, parts = 100;
+    const double h = W.h, steepest = integrate(0, h, [&](double d) { return 2 * pi * d * W.W(float(d)); });
+    const auto layer = [&](double kappa)
+    {
+        const bool ball = kappa > 0;
+        const double R = 2 / std::abs(kappa), towards = ball ? -1 : 1, depth = ball ? std::min(h, R) : h;
+        double sum = 0;
+        for (int k = 0; k < parts; ++k)
+        {
+            const double slope = slopeAt(R + towards * depth * (k + 0.5) / parts, R, W);
+            sum += 2 * b(float(slope / steepest)) * slope * depth / parts;
+        }
+        return float(sum);
+    };
+    std::vector<float> table(2 * half + 1);
+    for (int k = 1; k <= half; ++k)
+    {
+        table[half + k] = layer(largest * k / half);
+        table[half - k] = layer(-largest * k / half);
+    }
+    table[half] = 0.5f * (table[half - 1] + table[half + 1]);
+    return table;
+}
+
+}
