@@ -5,6 +5,7 @@
 #include "device/KeptMemory.H"
 
 #include <algorithm>
+#include <bit>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,7 @@ public:
     void bring(const Block& block, std::size_t mostBytes)
     {
         blocks_.push_back(block);
-        constexpr std::size_t most = 32;
+        constexpr std::size_t most = 256;           // of a step and a mesh: some sixty
         while (blocks_.size() > most || (blocks_.size() > 1 && bytes() > mostBytes)) dropOldest();
     }
 
@@ -71,13 +72,23 @@ KeptBlocks& kept()
     return blocks;
 }
 
+// Small blocks come in eight sizes an octave: what changes a little from step to step finds its memory again.
+std::size_t sizeOf(std::size_t bytes)
+{
+    constexpr std::size_t small = std::size_t(1) << 24, least = 256;
+    if (bytes >= small) return bytes;
+    const std::size_t unit = std::max(std::bit_floor(bytes) / 8, least);
+    return (bytes + unit - 1) / unit * unit;
+}
+
 }
 
 void dropKeptMemory() { kept().dropAll(); }
 
-void* allocate(std::size_t bytes)
+void* allocate(std::size_t wanted)
 {
-    if (bytes == 0) return nullptr;
+    if (wanted == 0) return nullptr;
+    const std::size_t bytes = sizeOf(wanted);
     auto& counters = deviceCounters();
     void* memory = kept().take(bytes);
     if (!memory) memory = newBlock(bytes);
@@ -99,18 +110,19 @@ void* allocate(std::size_t bytes)
     return memory;
 }
 
-void release(void* memory, std::size_t bytes) noexcept
+void release(void* memory, std::size_t wanted) noexcept
 {
     if (!memory) return;
+    const std::size_t bytes = sizeOf(wanted);
     deviceCounters().bytes -= bytes;
     kept().bring({memory, bytes}, deviceCounters().bytes);      // no more than is in use
 }
 
-void discard(void* memory, std::size_t bytes) noexcept
+void discard(void* memory, std::size_t wanted) noexcept
 {
     if (!memory) return;
     deleteBlock(memory);
-    deviceCounters().bytes -= bytes;
+    deviceCounters().bytes -= sizeOf(wanted);
 }
 
 }

@@ -68,11 +68,11 @@ TEST(Buffer, CountsItsMemoryAndGivesItBack)
 {
     const std::size_t before = deviceCounters().bytes;
     {
-        Buffer<double> buffer(1000);
-        EXPECT_EQ(deviceCounters().bytes, before + 8000);
-        EXPECT_GE(deviceCounters().peakBytes, before + 8000);
+        Buffer<double> buffer(1024);
+        EXPECT_EQ(deviceCounters().bytes, before + 8192);
+        EXPECT_GE(deviceCounters().peakBytes, before + 8192);
         buffer.resize(10);                      // memory only ever grows
-        EXPECT_EQ(deviceCounters().bytes, before + 8000);
+        EXPECT_EQ(deviceCounters().bytes, before + 8192);
     }
     EXPECT_EQ(deviceCounters().bytes, before);
 }
@@ -82,8 +82,8 @@ TEST(Buffer, HasRoomForAQuarterMoreWhenItGrows)
 {
     Buffer<int> buffer;
     const std::size_t none = deviceCounters().bytes;
-    buffer.resizeDiscarding(500);
-    EXPECT_EQ(deviceCounters().bytes, none + 2000);
+    buffer.resizeDiscarding(512);
+    EXPECT_EQ(deviceCounters().bytes, none + 2048);
     buffer.resizeDiscarding(1000);
     const std::size_t bytes = deviceCounters().bytes;
     for (int n : {1001, 10, 1250, 0, 1100})
