@@ -15,14 +15,20 @@
 //
 // G_i = sum_j V grad W_ij + grad(walls) of the neighbours as they lie, g_i what a planar surface at depth s_i has. Their
 // difference is the particle's disorder, and e_i orders the particles: under suction, where the sum alone would let them clump,
-// and twice as strongly (o = 2) under pressure, because with the sum alone a calm drop of many particles feeds its own swinging
-// (doc/theory/completedPbf.md). Ordering is internal: what all e_i of a step move and turn as a whole is taken back at its
+// and o times as strongly as the sum alone under pressure (doc/theory/completedPbf.md). Ordering is internal: what all e_i of a step move and turn as a whole is taken back at its
 // end (models/forces/NetMotion.H). So is what walls of one contact angle give along themselves: liquid does not slide by
 // itself where it wets alike everywhere.
 //
 //     pressure    completedPbf;           // in constant/models
 //
-// Its controls stand in system/solution: shared/PressureControls.H. Trials: doc/theory/completedPbf.md.
+// Its controls stand in system/solution: shared/PressureControls.H, and
+//
+//     pressure
+//     {
+//         ordering        2;              // o, from 1 to 4
+//     }
+//
+// Trials: doc/theory/completedPbf.md.
 
 #include "freeSurface/FreeSurface.H"
 #include "models/pressure/Pressure.H"
@@ -37,13 +43,12 @@ namespace shizuku
 namespace
 {
 
-constexpr float ordering = 2;               // o
-
 template<class Kernel>
 struct RaisePressure
 {
     Kernel W;
     float volume, densityVolume;            // V, V/S
+    float ordering;                         // o
     float relaxation, epsilon, perPressure; // perPressure: dt^2/rho0
     Span<const Vec3> x;
     NeighbourView near;
@@ -108,10 +113,12 @@ public:
     CompletedPbf(const Dictionary& controls, Liquid& liquid, Walls& walls, FreeSurface& surface)
     :
         controls_(PressureControls::read(controls, liquid)),
+        ordering_(float(controls.lookupOr("ordering", 2.0))),
         surface_(surface),
         plane_(tabulateHalfSpace(liquid.kernel())),
         pressure_(freshPressure(liquid))
     {
+        refuseIf(!(ordering_ >= 1 && ordering_ <= 4), controls, "ordering", "1 to 4");
         if (!surface.active()) surface.require(liquid, walls, FreeSurface::usualSupport, 0);
     }
 
@@ -146,7 +153,7 @@ public:
                 const float V = liquid.particleVolume();
                 forEachTeam(liquid.owned(), RaisePressure<Kernel>
                 {
-                    W, V, V / liquid.latticeSum(), controls_.relaxation, controls_.epsilon,
+                    W, V, V / liquid.latticeSum(), ordering_, controls_.relaxation, controls_.epsilon,
                     dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
                     {extended_->view(), W.h, walls.view()}, surface_.view(), {plane_.span(), W.h},
                     liquid.density.span(), pressure_.span(), increase_.span(), push_.span(),
@@ -200,6 +207,7 @@ private:
     }
 
     PressureControls controls_;
+    float ordering_;
     FreeSurface& surface_;
     Buffer<HalfSpaceValues> plane_;
     Buffer<float>& pressure_;

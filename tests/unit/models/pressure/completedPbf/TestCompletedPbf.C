@@ -205,13 +205,17 @@ TEST(CompletedPbf, RaisesThePressureByItsFormula)
 
 // One correction against the formula over all pairs in double, with the floor's gradient as the integral over its half-space:
 // columns that no other wall reaches, in a tank of jittered liquid. The table's gradient is interpolated to 3e-3
-// of its largest, 0.7/d, and multiplied by up to 0.3. Ordering twice as strong (o = 2): p_j + 3 p_i in the sum, 4 p_i with
-// the floor, and -2 p_i with what a planar surface at the particle's depth has.
-TEST(CompletedPbf, DisplacesByItsFormula)
+// of its largest, 0.7/d, and multiplied by up to 0.3. Ordering o times as strong: p_j + (2 o - 1) p_i in the sum, 2 o p_i with
+// the floor, and -2 (o - 1) p_i with what a planar surface at the particle's depth has.
+void expectDisplacements(float ordering)
 {
     constexpr float dt = 0.5f;
     LiquidCase drop({.walls = "tank { type box; min (0 0 0); max (8e-3 8e-3 1); }"});
-    const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1; relaxation 1;");
+    const auto pressure = makePressure
+    (
+        drop, "completedPbf",
+        "maxIterations 1; minIterations 1; relaxation 1; ordering " + std::to_string(ordering) + ";"
+    );
     RandomNumbers random(6);
     auto points = latticeBlock(8, 8, 8, 1, {0.5f, 0.5f, 0.85f});        // so far from the floor that nothing is stopped there
     for (Vec3& p : points) p += random({-0.15f, -0.15f, -0.15f}, {0.15f, 0.15f, 0.15f});
@@ -238,7 +242,8 @@ TEST(CompletedPbf, DisplacesByItsFormula)
         const Vec3 x = points[i];
         if (std::abs(x.x - 4) > 1.8f || std::abs(x.y - 4) > 1.8f) continue;
         ++compared;
-        const double floor = 4 * p[i] * halfSpace(x.z), surface = 2 * p[i] * halfSpace(states[i].depth / d);
+        const double extra = 2 * (ordering - 1) * p[i];
+        const double floor = (2 * p[i] + extra) * halfSpace(x.z), surface = extra * halfSpace(states[i].depth / d);
         Vector3 sum(0, 0, floor);
         if (surface != 0)
         {
@@ -248,7 +253,7 @@ TEST(CompletedPbf, DisplacesByItsFormula)
         for (std::size_t j = 0; j < points.size(); ++j)
         {
             const Vec3 r = x - points[j];
-            if (j != i) sum += (3.0 * p[i] + p[j]) * W.slope(norm(r)) / norm(r) * Vector3(r.x, r.y, r.z);
+            if (j != i) sum += (p[i] + p[j] + extra) * W.slope(norm(r)) / norm(r) * Vector3(r.x, r.y, r.z);
         }
         nearFloor = std::max(nearFloor, std::abs(strength * floor));
         nearSurface = std::max(nearSurface, std::abs(strength * surface));
@@ -258,7 +263,12 @@ TEST(CompletedPbf, DisplacesByItsFormula)
     }
     EXPECT_EQ(compared, 128);
     EXPECT_GT(nearFloor, 0.02);
-    EXPECT_GT(nearSurface, 0.01);
+    EXPECT_GE(nearSurface, 0.01 * (ordering - 1));
+}
+
+TEST(CompletedPbf, DisplacesByItsFormula)
+{
+    for (const float ordering : {1.0f, 1.5f, 2.0f}) expectDisplacements(ordering);
 }
 
 // Deep in liquid that is too thin every particle pulls; then the part of the disorder has the other sign, p_j - 5 p_i where
@@ -375,7 +385,8 @@ TEST(CompletedPbf, RefusesControlsOutOfRange)
     LiquidCase drop;
     const std::pair<std::string, std::string> wrong[]
     {
-        {"maxIterations", "0"}, {"minIterations", "11"}, {"tolerance", "-1"}, {"relaxation", "2"}, {"epsilon", "-1"}
+        {"maxIterations", "0"}, {"minIterations", "11"}, {"tolerance", "-1"}, {"relaxation", "2"}, {"epsilon", "-1"},
+        {"ordering", "0.9"}, {"ordering", "5"}
     };
     for (const auto& entry : wrong)
     {
