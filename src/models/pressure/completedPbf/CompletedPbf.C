@@ -28,7 +28,8 @@
 //         ordering        2;              // o, from 1 to 4
 //     }
 //
-// Trials: doc/theory/completedPbf.md.
+// maxIterations is meant for steps up to the capillary one sqrt(rho d^3/(2 pi sigma)); a longer one, which moves particles
+// farther, may make more towards the tolerance, by the root of how much longer it is. Trials: doc/theory/completedPbf.md.
 
 #include "freeSurface/FreeSurface.H"
 #include "models/pressure/Pressure.H"
@@ -36,6 +37,9 @@
 #include "models/pressure/shared/PressureControls.H"
 #include "models/pressure/shared/PressureField.H"
 #include "models/pressure/shared/SteadyIterations.H"
+
+#include <algorithm>
+#include <cmath>
 
 namespace shizuku
 {
@@ -114,9 +118,11 @@ public:
     :
         controls_(PressureControls::read(controls, liquid)),
         ordering_(float(controls.lookupOr("ordering", 2.0))),
+        limits_(controls_),
         surface_(surface),
         plane_(tabulateHalfSpace(liquid.kernel())),
-        pressure_(freshPressure(liquid))
+        pressure_(freshPressure(liquid)),
+        perSuction_(2 * float(M_PI) / (liquid.restDensity() * liquid.spacing() * liquid.spacing()))
     {
         refuseIf(!(ordering_ >= 1 && ordering_ <= 4), controls, "ordering", "1 to 4");
         if (!surface.active()) surface.require(liquid, walls, FreeSurface::usualSupport, 0);
@@ -125,13 +131,15 @@ public:
     void begin(float dt) override
     {
         iterations_ = 0;
+        const float more = controls_.tolerance > 0 ? std::sqrt(std::max(1.0f, capillarySteps(dt))) : 1;
+        limits_.maxIterations = int(std::lround(controls_.maxIterations * more));
         dt_ = dt;
         pressure_.setZero();
     }
 
     bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
+        if (iterations_ >= limits_.maxIterations || liquid.owned() == 0) return false;
         if (!extended_)
         {
             extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
@@ -162,7 +170,7 @@ public:
             },
             liquid.kernel()
         );
-        return steady_.wantAnother(liquid, controls_, iterations_);
+        return steady_.wantAnother(liquid, limits_, iterations_);
     }
 
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
@@ -200,6 +208,9 @@ public:
     const Buffer<float>* keepPressure() override { return &pressure_; }
 
 private:
+    // dt over sqrt(rho d^3/(2 pi sigma)): the suction that the surface bears is sigma/d. 0 without.
+    float capillarySteps(float dt) const { return dt * std::sqrt(perSuction_ * surface_.suction()); }
+
     Span<const Vec3> internal() const
     {
         if (total_.size() == 0) return {};
@@ -208,9 +219,11 @@ private:
 
     PressureControls controls_;
     float ordering_;
+    IterationControls limits_;              // of the step
     FreeSurface& surface_;
     Buffer<HalfSpaceValues> plane_;
     Buffer<float>& pressure_;
+    float perSuction_;                      // 2 pi/(rho d^2)
     float dt_ = 0;
     int iterations_ = 0;
     std::optional<ExtendedLiquid> extended_;

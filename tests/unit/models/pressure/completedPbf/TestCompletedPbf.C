@@ -338,6 +338,28 @@ TEST(CompletedPbf, LeavesTheCentroidOfFreeLiquid)
     for (const double component : speeds.components) EXPECT_NEAR(0.5 * component, 0, 1e-4);
 }
 
+// Ten where the tolerance is out of reach, in a step of the capillary length sqrt(rho d^3/(2 pi sigma)) at most; of k times that
+// the root of k as many. Not without tension, where no such step is, nor where tolerance 0 asks for just so many.
+TEST(CompletedPbf, IteratesMoreInStepsLongerThanTheCapillaryOne)
+{
+    const auto made = [](bool tension, const std::string& tolerance, float steps)
+    {
+        LiquidCase drop;
+        const auto model = tension ? makeTension(drop) : nullptr;
+        const auto pressure = makePressure(drop, "completedPbf", "tolerance " + tolerance + "; relaxation 0.01;");
+        drop.place(latticeBlock(6, 6, 6, 0.9f));
+        const Liquid& liquid = drop.liquid;
+        const double sigma = liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension);
+        return iterate(*pressure, drop, steps * float(std::sqrt(liquid.particleMass() / (2 * std::numbers::pi * sigma))));
+    };
+    EXPECT_EQ(made(true, "1e-9", 0.7f), 10);
+    EXPECT_EQ(made(true, "1e-9", 1), 10);
+    EXPECT_EQ(made(true, "1e-9", 2), 14);
+    EXPECT_EQ(made(true, "1e-9", 5), 22);
+    EXPECT_EQ(made(false, "1e-9", 5), 10);
+    EXPECT_EQ(made(true, "0", 5), 10);
+}
+
 // Everywhere too thin, and a step so short that the constraint would pull without end: each particle has the suction sigma/d,
 // that is, none without tension, and then nothing moves. A new step begins at zero.
 TEST(CompletedPbf, PullsNoMoreThanTheTensionAllows)
