@@ -71,7 +71,7 @@ TEST_P(AdviseCase, appliedAdviceRuns)
     EXPECT_EQ(outcome.status, 0) << outcome.text;
     EXPECT_TRUE(holds(outcome.text, {"Wrote ", "Run ./Allclean, if there are results, and then fillLiquid again"}));
     Contents after = contents();
-    for (const std::string file : {"system/solution", "constant/walls"})
+    for (const std::string file : {"system/solution", "system/controlDict", "constant/walls"})
     {
         EXPECT_EQ(after.at(file + ".old"), before.at(file));
         EXPECT_NE(after.at(file), before.at(file));
