@@ -15,8 +15,8 @@
 //
 // G_i = sum_j V grad W_ij + grad(walls) of the neighbours as they lie, g_i what a planar surface at depth s_i has. Their
 // difference is the particle's disorder, and e_i orders the particles: under suction, where the sum alone would let them clump,
-// and o times as strongly as the sum alone under pressure (doc/theory/completedPbf.md). Ordering is internal: what all e_i of a step move and turn as a whole is taken back at its
-// end (models/forces/NetMotion.H). So is what walls of one contact angle give along themselves: liquid does not slide by
+// and o times as strongly as the sum alone under pressure (doc/theory/completedPbf.md). Ordering is internal: what all e_i of a
+// step move and turn as a whole is taken back at its end (models/forces/NetMotion.H). So is what walls of one contact angle give along themselves: liquid does not slide by
 // itself where it wets alike everywhere.
 //
 //     pressure    completedPbf;           // in constant/models

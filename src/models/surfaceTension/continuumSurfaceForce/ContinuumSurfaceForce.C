@@ -10,9 +10,9 @@
 //     a_i     = 2 sigma kappa b_i G_i / (J rho0), kappa going from kappa_i, where kappa'_i is above 4 |kappa_i - kappa'_i|,
 //                                                 to kappa'_i, where that is below zero
 //
-// On a sphere each pair gives exactly 2/r at the pair's mean radius. J(kappa): what 2 b |G| adds up to where particles are, on the
-// liquid's side of a surface of that curvature (SurfaceLayer.H). Near the surface means |G| above 0.2 of a planar surface's; b grows
-// smoothly from 0 there to 1 at 0.4. The second layer stands about there, and a force that is switched on and off makes its
+// On a sphere each pair gives exactly 2/r at the pair's mean radius. J(kappa): what 2 b |G| adds up to where particles are,
+// on the liquid's side of a surface of that curvature (SurfaceLayer.H). Near the surface means |G| above 0.2 of a planar
+// surface's; b grows smoothly from 0 there to 1 at 0.4. The second layer stands about there, and a force that is switched on and off makes its
 // particles tremble. Particles with normals apart by more than a right angle lie on different surfaces. At a hollow surface
 // liquid is under suction and the surface gives way where a single particle reads too little of it: there all near it have the
 // mean. On round drops kappa_i stands.
@@ -236,8 +236,8 @@ public:
         });
         forEachTeam(surface_.particles(), Force
         {
-            W, {layer_.span(), most}, sigma_, liquid.restDensity(), liquid.predicted.span(), near.view(), view, normal.span(), part.span(),
-            curvature.span(), surface_.lowestPressure(), acceleration.span()
+            W, {layer_.span(), most}, sigma_, liquid.restDensity(), liquid.predicted.span(), near.view(), view,
+            normal.span(), part.span(), curvature.span(), surface_.lowestPressure(), acceleration.span()
         });
     }
 
