@@ -17,6 +17,11 @@
 // liquid is under suction and the surface gives way where a single particle reads too little of it: there all near it have the
 // mean. On round drops kappa_i stands.
 //
+// Only a part 1 - psi of the force acts outside of a particle in the layer (SurfaceLayer.H), so that of sigma kappa there is only that
+// part of pressure there. Where kappa changes along the surface, as it does under gravity, the pressure would change too little in
+// the layer to hold it: it would flow down as a skin, and push the rim of a puddle outwards. The second part of the force is
+// what is missing: both together are the gradient of -sigma kappa psi, which some pressure always balances.
+//
 // Every point of the wall's wedge has the normal m_c = sin(theta) t + cos(theta) n. On a curved surface that meets the wall
 // at theta the normals differ by kappa tau, with tau the distance of a particle from the contact line along the surface.
 // So the wedge weighs tau int w (u.(x - y)) dy, u pointing along the surface away from the wall: of a surface of constant
@@ -157,7 +162,7 @@ struct Force
 {
     WendlandC2 W;
     SurfaceLayerView layer;
-    float sigma, restDensity;
+    float sigma, restDensity, steepest;
     Span<const Vec3> x;
     NeighbourView near;
     FreeSurfaceView surface;
@@ -171,16 +176,22 @@ struct Force
         const int k = int(surface.place[i]);
         const Vec3 xi = x[i], mi = normal[k];
         if (squared(mi) == 0) return;
-        float weight = 0, sum = 0;
+        const float own = curvature[k], ownWeight = W.W(0) * part[k];
+        float weight = 0, sum = 0, spread = 0;
+        Vec3 slopes = {};
         near.forEach(i, [&](int j)
         {
             const int l = int(surface.place[j]);
             if (int(surface.place[j + 1]) == l || !onSameSurface(mi, normal[l])) return;
-            const float w = W.W(norm(xi - x[j])) * part[l];
+            const Vec3 r = x[j] - xi, along = r - dot(r, mi) * mi;
+            const float w = W.W(norm(r)) * part[l];
             weight += w;
             sum += w * curvature[l];
+            slopes += w * (curvature[l] - own) * along;
+            spread += w * squared(along);
         }, team);
-        const float own = curvature[k], ownWeight = W.W(0) * part[k];
+        const Vec3 slope = team.sum(slopes);
+        spread = team.sum(spread);
         weight = team.sum(weight) + ownWeight;
         sum = team.sum(sum) + ownWeight * own;
         if (!team.first()) return;
@@ -188,7 +199,10 @@ struct Force
         const float u = mean > trusted * away ? 1 : fmaxf(mean, 0) / fmaxf(trusted * away, 1e-20f);
         const float kappa = mean + u * u * (3 - 2 * u) * (own - mean), jump = sigma * kappa;
         lowestPressure[k] = fminf(fmaxf(holds * jump, lowestPressure[k]), 0);
-        acceleration[i] += 2 * jump / (layer(kappa) * restDensity) * part[k] * surface.gradient[k];
+        const Vec3 G = surface.gradient[k];
+        const Vec3 g = spread > 0 ? 2 / spread * slope : Vec3{};
+        acceleration[i] += 1 / restDensity * (2 * jump / layer.sum(kappa) * part[k] * G
+                                              - sigma * layer.deeper(norm(G) / steepest) * g);
     }
 };
 
@@ -236,7 +250,7 @@ public:
         });
         forEachTeam(surface_.particles(), Force
         {
-            W, {layer_.span(), most}, sigma_, liquid.restDensity(), liquid.predicted.span(), near.view(), view,
+            W, {sums_.span(), parts_.span(), most}, sigma_, liquid.restDensity(), surface_.steepest(), liquid.predicted.span(), near.view(), view,
             normal.span(), part.span(), curvature.span(), surface_.lowestPressure(), acceleration.span()
         });
     }
@@ -248,7 +262,8 @@ private:
     void tabulate(const Walls& walls, float most)
     {
         const WendlandC2 W = surface_.kernel();
-        layer_.upload(tabulateSurfaceLayer(W, usualSetIn, most));
+        sums_.upload(tabulateSurfaceLayer(W, usualSetIn, most));
+        parts_.upload(tabulateDeeperPart(W, usualSetIn));
         const auto plane = tabulateHalfSpace(W);
         const HalfSpaceView view{{plane.data(), int(plane.size())}, W.h};
         float low = 0, high = W.h;
@@ -263,7 +278,7 @@ private:
 
     FreeSurface& surface_;
     float sigma_;
-    Buffer<float> layer_;                   // J
+    Buffer<float> sums_, parts_;            // J and psi (SurfaceLayer.H)
     std::optional<ExtendedLiquid> extended_;
     bool oneAngle_ = false;
 };

@@ -51,4 +51,24 @@ std::vector<float> tabulateSurfaceLayer(const WendlandC2& W, const SetIn& b, flo
     return table;
 }
 
+std::vector<float> tabulateDeeperPart(const WendlandC2& W, const SetIn& b)
+{
+    constexpr int entries = 65, layers = 4000;
+    const double thickness = W.h / double(layers);
+    const double steepest = integrate(0, W.h, [&](double d) { return 2 * pi * d * W.W(float(d)); });
+    std::vector<float> table(entries);
+    double slope = 0, force = 0;
+    int entry = 0;
+    for (int k = layers - 1; k >= 0; --k)           // from deep inside outwards, where both grow
+    {
+        const double depth = (k + 0.5) * thickness;
+        slope += 2 * pi * depth * W.W(float(depth)) * thickness;
+        while (entry < entries - 1 && entry <= slope / steepest * (entries - 1)) table[entry++] = float(force);
+        force += b(float(slope / steepest)) * slope * thickness;
+    }
+    while (entry < entries) table[entry++] = float(force);
+    for (float& part : table) part /= float(force);
+    return table;
+}
+
 }

@@ -67,10 +67,30 @@ TEST(SurfaceLayer, LeavesOutWhatIsNotSetIn)
     });
     const auto table = tabulateSurfaceLayer(WendlandC2(4), {0.2f, 0.4f}, 0.7f);
     EXPECT_NEAR(table[table.size() / 2], expected, 1e-3);
-    const SurfaceLayerView view{{table.data(), int(table.size())}, 0.7f};
-    EXPECT_EQ(view(-1), table.front());                         // beyond its ends
-    EXPECT_EQ(view(1), table.back());
-    EXPECT_NEAR(view(0), expected, 1e-3);
+    const SurfaceLayerView view{{table.data(), int(table.size())}, {}, 0.7f};
+    EXPECT_EQ(view.sum(-1), table.front());                     // beyond its ends
+    EXPECT_EQ(view.sum(1), table.back());
+    EXPECT_NEAR(view.sum(0), expected, 1e-3);
+}
+
+// Where b is 1 all over: what lies deeper than s of a plane is the double integral of the kernel's ring, by parts (r - s) of each.
+// At the surface all of it, where |G| is flat in s: between two entries, a root of their distance.
+TEST(SurfaceLayer, KnowsWhichPartOfTheForceLiesDeeper)
+{
+    const Reference<WendlandC2> W{4};
+    const auto ring = [&](double r) { return 2 * std::numbers::pi * r * W.W(r); };
+    const auto table = tabulateDeeperPart(WendlandC2(4), {-2, -1});
+    const SurfaceLayerView view{{}, {table.data(), int(table.size())}, 1};
+    const double steepest = integrate(0, 4, 400, ring);
+    for (const double s : {0.5, 1.0, 1.5, 2.0, 3.0})
+    {
+        const double slope = integrate(s, 4, 400, ring), deeper = integrate(s, 4, 400, [&](double r) { return (r - s) * ring(r); });
+        EXPECT_NEAR(view.deeper(float(slope / steepest)), 2 * deeper, 2e-3) << s;
+    }
+    EXPECT_EQ(view.deeper(0), 0);
+    EXPECT_EQ(view.deeper(1), 1);
+    const auto setIn = tabulateDeeperPart(WendlandC2(4), {0.2f, 0.4f});
+    EXPECT_LT(setIn[setIn.size() / 5], 1e-5f);
 }
 
 // The pressure that the force holds in a ball is Laplace's, 2 sigma/R with R from the particles' volume: the sum over shells of what
@@ -152,6 +172,39 @@ TEST(ContinuumSurfaceForce, LeavesAPlaneAlone)
         }
     }
     EXPECT_GT(edge, 0.1f);
+}
+
+// Below a wave z = A cos(q x), whose curvature is A q^2 cos(q x), the force is the gradient of -sigma kappa psi: in each layer it pushes
+// along the surface, from where it bulges to where it is hollow, by sigma psi A q^3 sin(q x), with psi of the layer's |G|. A is small
+// beside the wave's length; over the supports of colour, normals and curvature waves of 30 d are smoothed by a tenth to a sixth.
+TEST(ContinuumSurfaceForce, PushesAlongTheSurfaceWhereTheCurvatureChanges)
+{
+    LiquidCase drop({.walls = "far { type plane; point (0 0 -20); normal (0 0 1); }"});
+    const auto tension = makeTension(drop);
+    const float length = 30, q = 2 * std::numbers::pi_v<float> / length, A = 1;
+    auto points = latticeBlock(61, 21, 8, 1, {-30, -10, -7.5f});
+    for (Vec3& p : points) p.z += A * std::cos(q * p.x);
+    const auto force = tensionOf(drop, *tension, points);
+    const auto states = surfaceStates(drop);
+    const auto table = tabulateDeeperPart(WendlandC2(4), {0.2f, 0.4f});
+    const SurfaceLayerView view{{}, {table.data(), int(table.size())}, 1};
+    for (const float depth : {0.5f, 1.5f})
+    {
+        double along = 0, expected = 0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            const Vec3 x = points[i];
+            if (x.y != 0 || std::abs(x.x) > 15 || std::abs(x.z - A * std::cos(q * x.x) + depth) > 0.1f) continue;
+            const float slope = -A * q * std::sin(q * x.x);
+            const Vec3 f = force[i];
+            const double tangential = (f.x + slope * f.z) / std::sqrt(1 + slope * slope);
+            const double psi = view.deeper(norm(states[i].gradient) / drop.surface.steepest());
+            along += tangential * std::sin(q * x.x);
+            expected += psi * A * q * q * q * std::sin(q * x.x) * std::sin(q * x.x);
+        }
+        EXPECT_GT(expected, 0) << depth;
+        EXPECT_NEAR(along / expected, 0.88, 0.1) << depth;
+    }
 }
 
 // Per length of the contact line, in units of sigma, along the wall. At the contact angle nothing: a lattice in front of the
