@@ -28,7 +28,8 @@ void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, 
     models.pressure->correctVelocities(liquid, near, walls);
     models.netMotion.takeBack
     (
-        liquid, models.pressure->takeDisplacement(), models.forces.takeDisplacement(dt), walls.held(), dt
+        liquid, models.pressure->takeDisplacement(), models.forces.takeDisplacement(dt), walls,
+        models.freeSurface->support(), dt
     );
     models.viscosity->apply(liquid, near, walls, dt);
 }

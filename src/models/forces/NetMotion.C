@@ -13,6 +13,7 @@ HOST_DEVICE void NetMotion::Sums::add(const Sums& other)
         xx[c] += other.xx[c];
         xy[c] += other.xy[c];
     }
+    atWall += other.atWall;
 }
 
 namespace
@@ -22,6 +23,8 @@ struct SumsOfParticle
 {
     Span<const Vec3> position, pressure, forces;        // either of the displacements may be empty
     float ofPressure, ofForces;                         // their scales
+    WallView walls;
+    float reach;
 
     HOST_DEVICE NetMotion::Sums operator()(int i) const
     {
@@ -31,7 +34,7 @@ struct SumsOfParticle
         return
         {
             {u, v, w}, {x, y, z}, {y * w - z * v, z * u - x * w, x * v - y * u}, {x * x, y * y, z * z},
-            {x * y, y * z, z * x}
+            {x * y, y * z, z * x}, walls.isNear(i, p, reach, {}) ? 1.0 : 0.0
         };
     }
 };
@@ -77,18 +80,22 @@ Vec3 turnOf(const NetMotion::Sums& sums, double n, const HeldDirections& held)
 
 void NetMotion::takeBack
 (
-    Liquid& liquid, const InternalDisplacement& pressure, const InternalDisplacement& forces, const HeldDirections& held,
-    float dt
+    Liquid& liquid, const InternalDisplacement& pressure, const InternalDisplacement& forces, const Walls& walls,
+    float reach, float dt
 )
 {
     const int n = liquid.owned();
-    if (n == 0 || held.all() || pressure.by.size() + forces.by.size() == 0) return;
+    if (n == 0 || walls.held().all() || pressure.by.size() + forces.by.size() == 0) return;
     const Sums sums = reduce
     (
         n,
-        SumsOfParticle{liquid.position.span(), pressure.by.span(), forces.by.span(), pressure.scale, forces.scale},
+        SumsOfParticle
+        {
+            liquid.position.span(), pressure.by.span(), forces.by.span(), pressure.scale, forces.scale, walls.view(), reach
+        },
         scratch_
     );
+    const HeldDirections held = sums.atWall > 0 ? walls.held() : HeldDirections{};
     const auto mean = [&](const double* of) { return Vec3{float(of[0] / n), float(of[1] / n), float(of[2] / n)}; };
     forEach(n, MoveBack
     {

@@ -34,13 +34,16 @@ Motion motionOf(const LiquidCase& drop)
     return {mean, turn};
 }
 
-// A block of 7 x 5 x 3 particles off the origin, with velocities of up to 0.1 at random and 0.05 along (1 2 3), made by
-// displacements in a step of 0.01, which are then taken back.
-Motion leftOver(const std::string& walls)
+constexpr float reach = 4;                      // spacings, from which on walls are seen
+
+// A block of 7 x 5 x 3 particles off the origin, the lowest ones so many spacings above z = 0, with velocities of up to 0.1 at
+// random and 0.05 along (1 2 3), made by displacements in a step of 0.01, which are then taken back.
+Motion leftOver(const std::string& walls, float height = 0.5f, const std::vector<Vec3>& solidPositions = {})
 {
-    LiquidCase drop({.walls = walls});
+    LiquidCase drop({.walls = walls, .solidPositions = solidPositions});
+    drop.walls.requireContacts(drop.liquid, reach * drop.liquid.spacing());
     RandomNumbers random(5);
-    const auto points = latticeBlock(7, 5, 3, 1, {20, -30, 5});
+    const auto points = latticeBlock(7, 5, 3, 1, {20, -30, height});
     std::vector<Vec3> velocities;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
@@ -49,7 +52,7 @@ Motion leftOver(const std::string& walls)
     drop.place(points, velocities);
     const float dt = 0.01f;
     const auto part = [&](float share) { return InternalDisplacement{Buffer<Vec3>(drop.liquid.velocity.download()), share * dt}; };
-    NetMotion().takeBack(drop.liquid, part(-0.5f), part(1.5f), drop.walls.held(), dt);
+    NetMotion().takeBack(drop.liquid, part(-0.5f), part(1.5f), drop.walls, reach * drop.liquid.spacing(), dt);
     return motionOf(drop);
 }
 
@@ -65,19 +68,36 @@ TEST(NetMotion, IsNoneOfFreeLiquid)
     EXPECT_LT(length(left.turn), rounding);
 }
 
+// As long as one layer of particles has the plane within reach.
 TEST(NetMotion, StaysAcrossAPlaneAndAboutAxesInIt)
 {
-    const Motion left = leftOver(floorPlane);
-    EXPECT_LT(std::hypot(left.mean.x, left.mean.y), rounding);
-    EXPECT_NEAR(left.mean.z, 0.15, 0.03);                       // and the mean of 105 numbers at random
-    // The axes of inertia are not exactly the block's.
-    EXPECT_LT(std::abs(left.turn.z), 0.02*std::hypot(left.turn.x, left.turn.y));
-    EXPECT_GT(std::hypot(left.turn.x, left.turn.y), 1e-3);
+    for (const float height : {0.5f, reach - 0.1f})
+    {
+        const Motion left = leftOver(floorPlane, height);
+        EXPECT_LT(std::hypot(left.mean.x, left.mean.y), rounding);
+        EXPECT_NEAR(left.mean.z, 0.15, 0.03);                   // and the mean of 105 numbers at random
+        // The axes of inertia are not exactly the block's.
+        EXPECT_LT(std::abs(left.turn.z), 0.02*std::hypot(left.turn.x, left.turn.y));
+        EXPECT_GT(std::hypot(left.turn.x, left.turn.y), 1e-3);
+    }
+}
+
+// A plane bears nothing of what is not within its reach, nor do solid particles in one, whose plane is half a spacing above.
+TEST(NetMotion, IsNoneOfLiquidThatHasLeftAPlane)
+{
+    const auto layer = latticeBlock(21, 21, 1, 1, {13, -38, -0.5f});
+    const Motion left = leftOver(floorPlane, reach + 0.1f), sampled = leftOver(sampledFloor, reach + 0.1f, layer);
+    for (const Motion& motion : {left, sampled})
+    {
+        EXPECT_LT(length(motion.mean), rounding);
+        EXPECT_LT(length(motion.turn), rounding);
+    }
+    EXPECT_NEAR(leftOver(sampledFloor, reach - 0.1f, layer).mean.z, 0.15, 0.03);
 }
 
 TEST(NetMotion, StaysInACornerButForItsEdge)
 {
-    const Motion left = leftOver(floorPlane + "side { type plane; point (-1 0 0); normal (1 0 0); }");
+    const Motion left = leftOver(floorPlane + "side { type plane; point (0.0195 0 0); normal (1 0 0); }");
     EXPECT_NEAR(left.mean.x, 0.05, 0.03);
     EXPECT_LT(std::abs(left.mean.y), rounding);
     EXPECT_NEAR(left.mean.z, 0.15, 0.03);

@@ -331,7 +331,7 @@ TEST(CompletedPbf, LeavesTheCentroidOfFreeLiquid)
     const VectorSum ordered = sumOfSteps(before, drop.liquid.position.download());
     EXPECT_GT(ordered.sizes, 5);
     EXPECT_GT(std::abs(ordered.components[0]), 0.01);
-    NetMotion().takeBack(drop.liquid, pressure->takeDisplacement(), {}, drop.walls.held(), 0.5f);
+    NetMotion().takeBack(drop.liquid, pressure->takeDisplacement(), {}, drop.walls, drop.surface.support(), 0.5f);
     const VectorSum steps = sumOfSteps(before, drop.liquid.position.download());
     const VectorSum speeds = sumOfSteps(std::vector<Vec3>(points.size()), drop.liquid.velocity.download());
     for (const double component : steps.components) EXPECT_NEAR(component, 0, 1e-4);

@@ -149,7 +149,7 @@ TEST(ContinuumSurfaceForce, DoesNotMoveFreeLiquidAsAWhole)
     };
     EXPECT_GT(sumAndLargest().first, 0.1 * sumAndLargest().second);     // there is something to take back
     ASSERT_TRUE(tension->isInternal());
-    NetMotion().takeBack(drop.liquid, {}, {std::move(acceleration), dt * dt}, drop.walls.held(), dt);
+    NetMotion().takeBack(drop.liquid, {}, {std::move(acceleration), dt * dt}, drop.walls, drop.surface.support(), dt);
     EXPECT_LT(sumAndLargest().first, 1e-4 * sumAndLargest().second);
 }
 
