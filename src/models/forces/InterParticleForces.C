@@ -37,6 +37,7 @@ void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const
     if (!active()) return;
     acceleration_.resizeDiscarding(liquid.all());
     acceleration_.setZero();
+    tension_->begin(dt);
     tension_->apply(liquid, near, walls, acceleration_);
     wetting_->apply(liquid, near, walls, acceleration_);
     displace(liquid, acceleration_, dt);

@@ -20,7 +20,8 @@
 // Only a part 1 - psi of the force acts outside of a particle in the layer (SurfaceLayer.H), so that of sigma kappa there is only that
 // part of pressure there. Where kappa changes along the surface, as it does under gravity, the pressure would change too little in
 // the layer to hold it: it would flow down as a skin, and push the rim of a puddle outwards. The second part of the force is
-// what is missing: both together are the gradient of -sigma kappa psi, which some pressure always balances.
+// what is missing: both together are the gradient of -sigma kappa psi, which some pressure always balances. In steps longer than the
+// capillary one, sqrt(rho d^3/(2 pi sigma)), it is smaller by the square of how much longer: the waves that it hastens would grow.
 //
 // Every point of the wall's wedge has the normal m_c = sin(theta) t + cos(theta) n. On a curved surface that meets the wall
 // at theta the normals differ by kappa tau, with tau the distance of a particle from the contact line along the surface.
@@ -162,7 +163,7 @@ struct Force
 {
     WendlandC2 W;
     SurfaceLayerView layer;
-    float sigma, restDensity, steepest;
+    float sigma, restDensity, steepest, along;      // along: how much of the part along the surface
     Span<const Vec3> x;
     NeighbourView near;
     FreeSurfaceView surface;
@@ -202,7 +203,7 @@ struct Force
         const Vec3 G = surface.gradient[k];
         const Vec3 g = spread > 0 ? 2 / spread * slope : Vec3{};
         acceleration[i] += 1 / restDensity * (2 * jump / layer.sum(kappa) * part[k] * G
-                                              - sigma * layer.deeper(norm(G) / steepest) * g);
+                                              - along * sigma * layer.deeper(norm(G) / steepest) * g);
     }
 };
 
@@ -214,6 +215,8 @@ public:
         surface_(surface),
         sigma_(liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension))
     {
+        const float d = liquid.spacing();
+        longestStep2_ = liquid.restDensity() * d * d * d / (2 * kernels::pi * sigma_);
         const float support = float(coeffs.lookupOr("support", double(FreeSurface::usualSupport)));
         const float least = 1.5f * liquid.support() / liquid.spacing();
         if (!(support >= least && support <= 8))
@@ -250,10 +253,13 @@ public:
         });
         forEachTeam(surface_.particles(), Force
         {
-            W, {sums_.span(), parts_.span(), most}, sigma_, liquid.restDensity(), surface_.steepest(), liquid.predicted.span(), near.view(), view,
+            W, {sums_.span(), parts_.span(), most}, sigma_, liquid.restDensity(), surface_.steepest(),
+            fminf(1, longestStep2_ / (dt_ * dt_)), liquid.predicted.span(), near.view(), view,
             normal.span(), part.span(), curvature.span(), surface_.lowestPressure(), acceleration.span()
         });
     }
+
+    void begin(float dt) override { dt_ = dt; }
 
     bool isInternal() const override { return oneAngle_; }
 
@@ -278,6 +284,7 @@ private:
 
     FreeSurface& surface_;
     float sigma_;
+    float longestStep2_ = 0, dt_ = 0;       // square of the capillary step; the step, 0 before the first
     Buffer<float> sums_, parts_;            // J and psi (SurfaceLayer.H)
     std::optional<ExtendedLiquid> extended_;
     bool oneAngle_ = false;
