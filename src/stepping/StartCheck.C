@@ -3,7 +3,6 @@
 #include "device/Gather.H"
 #include "device/Reduce.H"
 #include "geometry/Vector3.H"
-#include "models/pressure/Pressure.H"
 #include "motion/Motion.H"
 
 #include <cmath>
@@ -19,13 +18,14 @@ constexpr float crowdedDensity = 1.1f;
 
 struct CrowdingSums
 {
-    double density = 0;
+    double density = 0, compression2 = 0;
     float most = 0, nearest2 = 1e30f;
     int crowded = 0, densest = 0;
 
     HOST_DEVICE void add(const CrowdingSums& other)
     {
         density += other.density;
+        compression2 += other.compression2;
         crowded += other.crowded;
         nearest2 = fminf(nearest2, other.nearest2);
         if (other.most <= most) return;
@@ -53,8 +53,8 @@ struct CrowdingOf
             sum += W.W(sqrtf(r2));
             if (j != i) nearest2 = fminf(nearest2, r2);
         });
-        const float density = volume * sum;
-        return {density, density, nearest2, density > crowdedDensity ? 1 : 0, i};
+        const float density = volume * sum, above = fmaxf(density - 1, 0);
+        return {density, above * above, density, nearest2, density > crowdedDensity ? 1 : 0, i};
     }
 };
 
@@ -94,14 +94,14 @@ Crowding measureCrowding(const Liquid& liquid)
     return
     {
         sums.density / liquid.owned(), sums.most, std::sqrt(double(sums.nearest2)) / liquid.spacing(), sums.crowded,
-        int(order.download()[sums.densest])
+        int(order.download()[sums.densest]), liquid.owned(), std::sqrt(sums.compression2 / liquid.owned())
     };
 }
 
-void refuseOverlap(const Liquid& liquid, const std::filesystem::path& folder)
+void refuseOverlap(const Liquid& liquid, const std::filesystem::path& folder, const StartLimits& limits)
 {
     const Crowding crowding = measureCrowding(liquid);
-    if (!crowding.overlaps()) return;
+    if (!crowding.overlaps(limits)) return;
 
     const double spacing = liquid.properties().spacing, unit = liquid.units().length;
     const Vec3 x = liquid.position.download()[crowding.densest];
@@ -109,10 +109,17 @@ void refuseOverlap(const Liquid& liquid, const std::filesystem::path& folder)
     found << "The liquid starts overlapping itself: " << crowding.crowded << " of its " << liquid.owned()
           << " particles are more than a tenth denser than at rest, the mean density is " << crowding.mean
           << " rest densities, the largest one " << crowding.most << ", at "
-          << str(Vector3(x.x * unit, x.y * unit, x.z * unit)) << " m, and the smallest distance "
-          << crowding.nearest << " spacings";
+          << str(Vector3(x.x * unit, x.y * unit, x.z * unit)) << " m, the compression (root mean square) "
+          << crowding.compression << ", and the smallest distance " << crowding.nearest << " spacings";
     expected << "liquid at rest density, a mean below " << Crowding::mostMean << " and nowhere " << Crowding::mostOfOne
-             << ", of particles one spacing apart.\n    Run fillLiquid with the spacing of system/solution, " << spacing
+             << ", of particles one spacing apart";
+    if (limits.crowded < 1) expected << "; at a first start at most " << limits.crowded << " of them more than a tenth denser";
+    if (std::isfinite(limits.compression))
+    {
+        expected << ", and a compression of at most " << limits.compression
+                 << ", beyond which this pressure model's sound drives the liquid apart";
+    }
+    expected << ".\n    Run fillLiquid with the spacing of system/solution, " << spacing
              << " m; or give there the one that the liquid was filled with (a lattice of "
              << spacing / std::cbrt(crowding.most) << " m is that dense); and fill no place twice.\n    `overlaps relax;` in system/solution moves the particles apart before the first step";
     throw FatalInputError({(folder / liquid.name() / "positions").string(), 0}, found.str(), expected.str());
@@ -123,9 +130,9 @@ bool relaxesOverlap(const Dictionary& solution)
     return solution.lookupChoiceOr("overlaps", {"refuse", "relax"}, "refuse") == "relax";
 }
 
-int relaxOverlap(Liquid& liquid, Neighbourhood& near, Walls& walls)
+int relaxOverlap(Liquid& liquid, Neighbourhood& near, Walls& walls, const StartLimits& limits)
 {
-    if (!measureCrowding(liquid).overlaps()) return 0;
+    if (!measureCrowding(liquid).overlaps(limits)) return 0;
 
     constexpr int mostRounds = 200;
     FreeSurface unused;
@@ -147,7 +154,7 @@ int relaxOverlap(Liquid& liquid, Neighbourhood& near, Walls& walls)
             walls.project(liquid);
         }
         liquid.position.swap(liquid.predicted);
-        if (pressure->iterations() <= 1 && !measureCrowding(liquid).overlaps()) return round;
+        if (pressure->iterations() <= 1 && !measureCrowding(liquid).overlaps(limits)) return round;
     }
     throw FatalInputError
     (

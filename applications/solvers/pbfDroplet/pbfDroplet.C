@@ -45,10 +45,11 @@ void pbfDroplet(const Arguments& args)
     liquidDict.refuseUnused();
 
     liquid.read(time.path());
-    if (!relaxes) refuseOverlap(liquid, time.path());
+    const StartLimits limits = StartLimits::of(time.index(), *models.pressure);
+    if (!relaxes) refuseOverlap(liquid, time.path(), limits);
     if (time.index() == 0) walls.refuseLiquidInside(liquid);
     Neighbourhood near(liquid);
-    if (relaxes) reportRelaxation(relaxOverlap(liquid, near, walls));
+    if (relaxes) reportRelaxation(relaxOverlap(liquid, near, walls, limits));
     FlowView flow(time, liquid, near, walls, models);
     if (time.index() == 0) warnOfResolution(flow);
     functions.modelsMade(flow);

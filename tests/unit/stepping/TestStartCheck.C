@@ -31,7 +31,7 @@ TEST(StartCheck, MeasuresByAllPairs)
     const Reference<CubicSpline> W{2};              // lengths in spacings, in which V = 1
     double latticeSum = 0;
     for (const Vec3& p : latticeBlock(5, 5, 5, 1, {-2, -2, -2})) latticeSum += W.W(norm(p));
-    double mean = 0, most = 0, nearest = 10;
+    double mean = 0, most = 0, nearest = 10, squares = 0;
     int crowded = 0;
     std::size_t densest = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -45,6 +45,7 @@ TEST(StartCheck, MeasuresByAllPairs)
         }
         mean += density / double(points.size());
         crowded += density > 1.1;
+        squares += density > 1 ? (density - 1) * (density - 1) : 0;
         if (density > most) densest = i;
         most = std::max(most, density);
     }
@@ -52,6 +53,8 @@ TEST(StartCheck, MeasuresByAllPairs)
     EXPECT_NEAR(crowding.most, most, 2e-6 * most);
     EXPECT_NEAR(crowding.nearest, nearest, 1e-5);
     EXPECT_EQ(crowding.crowded, crowded);
+    EXPECT_NEAR(crowding.compression, std::sqrt(squares / 500), 1e-5);
+    EXPECT_EQ(crowding.particles, 500);
     EXPECT_EQ(drop.liquid.id.download()[crowding.densest], densest);
 }
 
@@ -86,6 +89,47 @@ TEST(StartCheck, FindsWhatOverlaps)
     EXPECT_NEAR(crowding.most, 2, 1e-5);
     EXPECT_EQ(crowding.nearest, 0);
     EXPECT_TRUE(crowding.overlaps());
+}
+
+// 1,000 particles, as large a block as bursts. At 0.95 spacings the eight inner layers, half of all, are 1.17 times as dense as at
+// rest; at 0.98 1.064 times: too much for a model of sound, whose bound is 0.03. Layers half a spacing apart, one in five, are
+// no lattice that is too narrow.
+TEST(StartCheck, KnowsAFirstStart)
+{
+    LiquidCase drop;
+    FreeSurface surface;
+    const auto limits = [&](const std::string& model, long index)
+    {
+        const auto pressure = Pressure::New
+        (
+            Dictionary::parse("pressure " + model + ";"), Dictionary::parse(""), drop.liquid, drop.walls, surface
+        );
+        return StartLimits::of(index, *pressure);
+    };
+    const StartLimits pbf = limits("completedPbf", 0), sound = limits("WCSPH", 0), gas = limits("idealGas", 0);
+    EXPECT_NEAR(sound.compression, 0.03, 1e-12);
+    EXPECT_NEAR(gas.compression, 0.03, 1e-12);
+    const Crowding tight = crowdingOf(latticeBlock(10, 10, 10, 0.95f)), tighter = crowdingOf(latticeBlock(10, 10, 10, 0.98f)),
+        good = crowdingOf(latticeBlock(10, 10, 10, 1));
+    EXPECT_FALSE(tight.overlaps());
+    EXPECT_TRUE(tight.overlaps(pbf));
+    EXPECT_FALSE(tight.overlaps(limits("WCSPH", 1)));           // a restart: what was computed stays
+    EXPECT_FALSE(tighter.overlaps(pbf));
+    EXPECT_TRUE(tighter.overlaps(sound));
+    EXPECT_FALSE(good.overlaps(sound));
+    auto touching = latticeBlock(10, 10, 5, 1);
+    for (const Vec3& p : latticeBlock(10, 10, 5, 1, {0, 0, 4.5f})) touching.push_back(p);
+    EXPECT_FALSE(crowdingOf(touching).overlaps(pbf));
+
+    drop.place(latticeBlock(10, 10, 10, 0.98f));
+    EXPECT_TRUE(holds(messageOf([&] { refuseOverlap(drop.liquid, "case/0", sound); }),
+    {
+        "case/0/liquid/positions", "1000 particles", "compression (root mean square) 0.04", "at most 0.03", "sound",
+        "overlaps relax"
+    }));
+    EXPECT_EQ(messageOf([&] { refuseOverlap(drop.liquid, "case/0", pbf); }), "no error");
+    EXPECT_GT(relaxOverlap(drop.liquid, drop.near, drop.walls, sound), 0);
+    EXPECT_FALSE(measureCrowding(drop.liquid).overlaps(sound));
 }
 
 TEST(StartCheck, SaysWhatWasFoundAndWhatToDo)

@@ -65,7 +65,7 @@ CaseForecast forecastCase(const TrialCase& trial, double measuredFor)
     liquid.read(time.path());
     measureCrowding(liquid);        // as the solver does: for its time, and the memory that it leaves to others
     Neighbourhood near(liquid);
-    if (relaxes) relaxOverlap(liquid, near, walls);
+    if (relaxes) relaxOverlap(liquid, near, walls, StartLimits::of(time.index(), *models.pressure));
     FlowView flow(time, liquid, near, walls, models);
     functions.modelsMade(flow);
 

@@ -90,8 +90,9 @@ void SolvedCase::readParticles(Findings& findings)
 {
     if (!liquid || !time) return;
     if (!findings.attempt([&] { liquid->read(time->path()); })) return;
-    if (!relaxes_) findings.attempt([&] { refuseOverlap(*liquid, time->path()); });
-    else if (measureCrowding(*liquid).overlaps())
+    const StartLimits limits = models ? StartLimits::of(time->index(), *models->pressure) : StartLimits{};
+    if (!relaxes_) findings.attempt([&] { refuseOverlap(*liquid, time->path(), limits); });
+    else if (measureCrowding(*liquid).overlaps(limits))
     {
         findings.warn("the liquid overlaps itself, and is moved apart before the first step (overlaps relax)");
     }

@@ -16,7 +16,7 @@ SoundSpeed SoundSpeed::read(const Dictionary& dict, const Liquid& liquid)
     const double speed = tension ? 2 * std::sqrt(p.surfaceTension / (p.density * p.spacing))
                                  : dict.lookupPositive("maxSpeed", dimensions::velocity);
     const double c = speed / std::sqrt(variation);
-    return {c, 0.4 * 0.5 * liquid.units().toSI(liquid.support(), dimensions::length) / c};
+    return {c, 0.4 * 0.5 * liquid.units().toSI(liquid.support(), dimensions::length) / c, 0.3 * std::sqrt(variation)};
 }
 
 }
