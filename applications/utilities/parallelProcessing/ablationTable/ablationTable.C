@@ -25,7 +25,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 ApplicationInfo info()
 {
-    return
+    ApplicationInfo result
     {
         "ablationTable",
         "Runs the case of a study with each of its models switched off or coarsened in turn, and tabulates the change of "
@@ -34,6 +34,8 @@ ApplicationInfo info()
         {"study"},
         false
     };
+    result.options.push_back({"cost", "wallTime|cpuTime", "what is tabulated: processor time where others compute too", "wallTime"});
+    return result;
 }
 
 struct Answer
@@ -99,7 +101,7 @@ double numberOf(const RunOutcome& outcome, const std::string& column)
 
 void writeAblation
 (
-    const std::filesystem::path& file, const Study& study, const AblationMeasure& measure,
+    const std::filesystem::path& file, const Study& study, const AblationMeasure& measure, const std::string& costName,
     const std::vector<RunOutcome>& outcomes
 )
 {
@@ -108,13 +110,13 @@ void writeAblation
         file,
         {
             {"case", ""}, {"change", ""}, {"end", ""}, {"answer", ""}, {"value", ""}, {"changeOfAnswer", "%"},
-            {"particles", ""}, {"wallTime", "s/s"}, {"costOfShipped", "%"}
+            {"particles", ""}, {costName, "s/s"}, {"costOfShipped", "%"}
         }
     );
     const RunOutcome& first = outcomes.front();
     for (const RunOutcome& outcome : outcomes)
     {
-        const double time = numberOf(outcome, "wallTime"), cost = 100*time/numberOf(first, "wallTime");
+        const double time = numberOf(outcome, costName), cost = 100*time/numberOf(first, costName);
         for (const Answer& answer : measure.answers)
         {
             const double value = numberOf(outcome, answer.name), shipped = numberOf(first, answer.name);
@@ -139,7 +141,7 @@ void ablationTable(const Arguments& args)
     engine.run();
     if (args.found("prepare")) return;
     reportDeaths(engine.outcomes());
-    writeAblation(studyOutput(args, study)/"ablation.csv", study, measure, engine.outcomes());
+    writeAblation(studyOutput(args, study)/"ablation.csv", study, measure, args.get("cost"), engine.outcomes());
 }
 
 }
