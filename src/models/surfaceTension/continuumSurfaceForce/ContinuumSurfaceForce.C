@@ -184,12 +184,12 @@ struct Force
         {
             const int l = int(surface.place[j]);
             if (int(surface.place[j + 1]) == l || !onSameSurface(mi, normal[l])) return;
-            const Vec3 r = x[j] - xi, along = r - dot(r, mi) * mi;
+            const Vec3 r = x[j] - xi, t = r - dot(r, mi) * mi;
             const float w = W.W(norm(r)) * part[l];
             weight += w;
             sum += w * curvature[l];
-            slopes += w * (curvature[l] - own) * along;
-            spread += w * squared(along);
+            slopes += w * (curvature[l] - own) * t;
+            spread += w * squared(t);
         }, team);
         const Vec3 slope = team.sum(slopes);
         spread = team.sum(spread);
