@@ -23,12 +23,18 @@ double slopeAt(double r, double R, const WendlandC2& W)
     return integrate(nearest, farthest, ring);
 }
 
+// |G| at a planar surface, the steepest: the integral of W over the plane.
+double steepestSlope(const WendlandC2& W)
+{
+    return integrate(0, W.h, [&](double d) { return 2 * pi * d * W.W(float(d)); });
+}
+
 }
 
 std::vector<float> tabulateSurfaceLayer(const WendlandC2& W, const SetIn& b, float largest)
 {
     constexpr int half = 16, parts = 100;
-    const double h = W.h, steepest = integrate(0, h, [&](double d) { return 2 * pi * d * W.W(float(d)); });
+    const double h = W.h, steepest = steepestSlope(W);
     const auto layer = [&](double kappa)
     {
         const bool ball = kappa > 0;
@@ -54,8 +60,7 @@ std::vector<float> tabulateSurfaceLayer(const WendlandC2& W, const SetIn& b, flo
 std::vector<float> tabulateDeeperPart(const WendlandC2& W, const SetIn& b)
 {
     constexpr int entries = 65, layers = 4000;
-    const double thickness = W.h / double(layers);
-    const double steepest = integrate(0, W.h, [&](double d) { return 2 * pi * d * W.W(float(d)); });
+    const double thickness = W.h / double(layers), steepest = steepestSlope(W);
     std::vector<float> table(entries);
     double slope = 0, force = 0;
     int entry = 0;
