@@ -59,9 +59,15 @@ TrialCase::TrialCase(const fs::path& casePath, const std::vector<CaseChange>& ch
 void TrialCase::make(const std::vector<CaseChange>& changes)
 {
     for (const char* folder : {"system", "constant"}) take(case_/folder, path_/folder);
+    // Times, and folders that dictionaries include from; tables of the trial stay in the trial.
+    for (const auto& entry : fs::directory_iterator(case_))
+    {
+        const fs::path name = path_/entry.path().filename();
+        if (!entry.is_directory() || fs::exists(name) || name.filename() == "postProcessing") continue;
+        fs::create_directory_symlink(fs::absolute(entry.path()), name);
+    }
     changeCase(path_, changes, false);
     const auto times = timeFolders(case_);
-    for (const TimeFolder& time : times) fs::create_directory_symlink(fs::absolute(time.path), path_/time.name);
     const bool filled = !times.empty() && fs::exists(times.back().path/"liquid");
     const bool anew = std::any_of(changes.begin(), changes.end(), [](const CaseChange& c) { return c.entry == "spacing"; });
     if (!filled || anew) refill();

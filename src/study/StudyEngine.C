@@ -81,10 +81,11 @@ std::string nameOf(RunEnd end)
 std::string reasonOf(const fs::path& casePath, int exit)
 {
     std::ifstream stream(casePath/"log.runCases");
-    std::string reason;
+    std::string reason, last;
     bool inError = false;
     for (std::string line; std::getline(stream, line);)
     {
+        if (line.find_first_not_of(" \t") != std::string::npos) last = line;
         if (line.find("--> FATAL") != std::string::npos)
         {
             reason.clear();
@@ -96,7 +97,8 @@ std::string reasonOf(const fs::path& casePath, int exit)
         if (inError && first != std::string::npos) reason += (reason.empty() ? "" : " ") + line.substr(first);
     }
     if (!reason.empty()) return reason;
-    return exit > 128 ? "ended by signal " + std::to_string(exit - 128) : "exit " + std::to_string(exit);
+    return exit > 128 ? "ended by signal " + std::to_string(exit - 128)
+        : "exit " + std::to_string(exit) + (last.empty() ? "" : "; " + last);
 }
 
 void reportDeaths(const std::vector<RunOutcome>& outcomes)
