@@ -117,7 +117,7 @@ void refuseOverlap(const Liquid& liquid, const std::filesystem::path& folder, co
     if (std::isfinite(limits.compression))
     {
         expected << ", and a compression of at most " << limits.compression
-                 << ", beyond which this pressure model's sound drives the liquid apart";
+                 << ", beyond which this pressure model drives the liquid apart";
     }
     expected << ".\n    Run fillLiquid with the spacing of system/solution, " << spacing
              << " m; or give there the one that the liquid was filled with (a lattice of "

@@ -206,7 +206,7 @@ Study Study::read(const fs::path& given, const std::string& variant)
         throw FatalInputError(caseDict.where(), "The case has no layers", "layers (\"FOLDER\" ...);");
     }
     study.valuesFile = (study.folder/caseDict.lookup<std::string>("valuesFile")).lexically_normal();
-    study.command = caseDict.lookupOr("command", std::string("./Allrun"));
+    study.command = {caseDict.lookupOr("command", std::string("./Allrun")), caseDict.where()};
     study.timeLimit = study.dict.found("timeLimit") ? study.dict.lookupPositive("timeLimit", dimensions::time) : 0;
 
     const Dictionary axes = study.dict.subDict("axes");

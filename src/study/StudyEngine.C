@@ -165,10 +165,14 @@ StudyEngine::StudyEngine(const Study& study, const Arguments& args, const RunMea
     }
 }
 
-std::string StudyEngine::commandOf(const RunOutcome&) const
+std::string StudyEngine::commandOf(const RunOutcome& outcome) const
 {
-    if (args_.found("prepare")) return "SHIZUKU_PREPARE_ONLY=yes " + study_.command;
-    return args_.found("device") ? study_.command + " -device " + args_.get("device") : study_.command;
+    std::map<std::string, std::string> words = outcome.values;
+    const bool choosesDevice = study_.command.text.find("@device@") != std::string::npos;
+    if (choosesDevice && args_.found("device") && words["device"] == "auto") words["device"] = args_.get("device");
+    const std::string command = withWords(study_.command.text, words, study_.command.where);
+    if (args_.found("prepare")) return "SHIZUKU_PREPARE_ONLY=yes " + command;
+    return args_.found("device") && !choosesDevice ? command + " -device " + args_.get("device") : command;
 }
 
 void StudyEngine::prepare(std::size_t i)

@@ -117,7 +117,7 @@ TEST_P(AdviseCase, predictsWhatTheSolverNeeds)
     // The start, the function object, which measures a mesh at each of the four steps, and the last writing count too; six
     // digits are printed.
     const double start = lastNumber(asItIs, "s: start "), steps = lastNumber(asItIs, ", steps "),
-        functions = lastNumber(asItIs, "function objects "), writing = lastNumber(asItIs, "last writing ");
+        functions = lastNumber(asItIs, "function objects "), writing = lastNumber(asItIs, "waiting for writing ");
     EXPECT_GT(start, 0);
     EXPECT_GT(steps, 0);
     EXPECT_GT(functions, 0);

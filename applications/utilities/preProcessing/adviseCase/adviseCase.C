@@ -102,8 +102,9 @@ void report(const std::string& what, const Prediction& p)
     if (p.secondsPerSubStep)
     {
         const double loop = p.secondsPerSubStep->value*run.subSteps;
-        std::cout << p.start + loop + p.forecast.functions + p.forecast.writing << " s: start " << p.start << ", steps " << loop
-                  << ", function objects " << p.forecast.functions << ", last writing " << p.forecast.writing << " ("
+        const double functions = p.forecast.functions, waiting = p.forecast.waiting(loop + functions);
+        std::cout << p.start + loop + functions + waiting << " s: start " << p.start << ", steps " << loop
+                  << ", function objects " << functions << ", waiting for writing " << waiting << " ("
                   << p.secondsPerSubStep->source << ")\n";
     }
     else std::cout << "not known: no benchmark of such a device is stored; -measure\n";

@@ -173,6 +173,7 @@ public:
     }
 
     double stepLimit() const override { return sound_.stepLimit; }
+    double mostCrowded() const override { return 1; }           // from 0.95 spacings drops come to rest
     int iterations() const override { return made_; }
 
 private:

@@ -88,6 +88,7 @@ public:
     }
 
     int iterations() const override { return iterations_; }
+    double mostCompression() const override { return mostTakenOutAtOnce; }
     const Buffer<float>* keepPressure() override { return &pressure_; }
 
 private:
