@@ -9,6 +9,7 @@
 #include "stepping/StartCheck.H"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace shizuku
@@ -35,18 +36,20 @@ double secondsOfFunctions(Time& time, FunctionObjects& functions, FlowView& flow
     return count > 0 ? seconds * frames / count : 0;
 }
 
-// s, of the particles into a folder of the trial that is no time: one after another, as the disk takes them.
+// s, of the particles into a folder of the trial that is no time: the median of several, as a disk may be busy once.
 double secondsOfWriting(const TrialCase& trial, const Time& time, FlowView& flow)
 {
-    constexpr int times = 3;
-    const double begun = clockTime();
-    for (int i = 0; i < times; ++i)
+    std::array<double, 5> seconds{};
+    for (std::size_t i = 0; i < seconds.size(); ++i)
     {
+        const double begun = clockTime();
         ParticleWriter fields;
         const std::string name = "writing" + std::to_string(i);
         writeFolderAtomically(trial.path() / name, fields.copy(flow.liquid(), flow.liquid().units(), time.format()));
+        seconds[i] = clockTime() - begun;
     }
-    return (clockTime() - begun) / times;
+    std::sort(seconds.begin(), seconds.end());
+    return seconds[seconds.size() / 2];
 }
 
 int writesOf(const std::filesystem::path& casePath)
