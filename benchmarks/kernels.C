@@ -126,19 +126,12 @@ void neighbourBuild(benchmark::State& state)
     block.report(state);
 }
 
-// Of cells in the order of the particles' places in the lattice.
+// Finds the order of particles that are sorted already.
 void sort(benchmark::State& state)
 {
     Block block(state);
-    const CellGridView grid = block.near.grid().view();
-    std::vector<std::uint32_t> cells, numbers(block.positions.size());
-    for (const Vec3 p : block.positions) cells.push_back(grid.key(p));
-    Buffer<std::uint32_t> keys, values(numbers);
-    for (auto _ : state)
-    {
-        keys.upload(cells);
-        sortByKey(keys, values);
-    }
+    CellGrid grid(block.liquid.support());
+    for (auto _ : state) grid.build(block.liquid.position.span(), block.liquid.owned());
     block.report(state);
 }
 

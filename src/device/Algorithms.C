@@ -13,6 +13,7 @@
 
 #include <thrust/device_ptr.h>
 #include <thrust/functional.h>
+#include <thrust/iterator/counting_iterator.h>
 #include <thrust/iterator/transform_iterator.h>
 #include <thrust/scan.h>
 
@@ -34,9 +35,12 @@ struct SaturatingSum
     }
 };
 
-struct CountChosen
+// Of an index: whether it is chosen. Of the end: not.
+struct Chosen
 {
-    HOST_DEVICE std::uint32_t operator()(std::uint8_t chosen) const { return chosen != 0; }
+    Span<const std::uint8_t> chosen;
+
+    HOST_DEVICE std::uint32_t operator()(int i) const { return i < chosen.size && chosen[i] != 0; }
 };
 
 struct PlaceChosen
@@ -69,13 +73,6 @@ T scan(const Buffer<T>& in, Buffer<T>& out, Sum sum)
 
 }
 
-void sortByKey(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values, int bits)
-{
-    ++deviceCounters().launches;
-    const device::KernelTimer timer("sort");
-    device::sortPairs(keys.span().data, values.span().data, keys.size(), bits);
-}
-
 void sort(Buffer<std::uint64_t>& keys)
 {
     ++deviceCounters().launches;
@@ -88,13 +85,12 @@ void select(const Buffer<std::uint8_t>& chosen, Selection& selection)
     const int n = chosen.size();
     selection.indices.resizeDiscarding(n);
     selection.before.resizeDiscarding(n + 1);
-    const auto counts = thrust::make_transform_iterator(thrust::device_pointer_cast(chosen.span().data), CountChosen{});
+    const auto counts = thrust::make_transform_iterator(thrust::counting_iterator<int>(0), Chosen{chosen.span()});
     {
         ++deviceCounters().launches;
         const device::KernelTimer timer("select");
-        device::setBytes(selection.before.span().data, 0, sizeof(std::uint32_t));
-        const auto target = thrust::device_pointer_cast(selection.before.span().data) + 1;
-        thrust::inclusive_scan(device::executionPolicy(), counts, counts + n, target);
+        const auto target = thrust::device_pointer_cast(selection.before.span().data);
+        thrust::exclusive_scan(device::executionPolicy(), counts, counts + (n + 1), target);
     }
     forEach(n, PlaceChosen{chosen.span(), selection.before.span(), selection.indices.span()});
 }
@@ -113,6 +109,14 @@ std::uint32_t exclusiveScan(const Buffer<std::uint32_t>& in, Buffer<std::uint32_
         );
     }
     return total;
+}
+
+void sumBefore(Buffer<std::uint32_t>& numbers)
+{
+    ++deviceCounters().launches;
+    const device::KernelTimer timer("scan");
+    const auto first = thrust::device_pointer_cast(numbers.span().data);
+    thrust::exclusive_scan(device::executionPolicy(), first, first + numbers.size(), first);
 }
 
 std::uint64_t exclusiveScan(const Buffer<std::uint64_t>& in, Buffer<std::uint64_t>& out)

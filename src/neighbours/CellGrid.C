@@ -1,6 +1,7 @@
 #include "neighbours/CellGrid.H"
 
 #include "device/Algorithms.H"
+#include "device/Atomic.H"
 #include "device/ForEach.H"
 
 #include <algorithm>
@@ -11,49 +12,44 @@ namespace shizuku
 namespace
 {
 
-struct AssignKeys
+// Counts the points of each cell; a point's place among those of its cell is any.
+struct CountInCells
 {
     CellGridView grid;
     Span<const Vec3> positions;
-    Span<std::uint32_t> keys, order;
+    Span<std::uint32_t> keys, places, count;
 
     HOST_DEVICE void operator()(int i) const
     {
-        keys[i] = grid.key(positions[i]);
-        order[i] = std::uint32_t(i);
+        const std::uint32_t key = grid.key(positions[i]);
+        keys[i] = key;
+        places[i] = increment(count[int(key)]);
     }
 };
 
-// By bisection, one cell a thread: between the occupied cells are gaps of whole layers, too long for a thread to close.
-struct FindStarts
+// Puts the points into their cells.
+struct PutInCells
 {
-    Span<const std::uint32_t> keys;
-    Span<std::uint32_t> start;
+    Span<const std::uint32_t> keys, places, start;
+    Span<std::uint32_t> points;
 
-    HOST_DEVICE void operator()(int cell) const
+    HOST_DEVICE void operator()(int i) const { points[int(start[int(keys[i])] + places[i])] = std::uint32_t(i); }
+};
+
+// Those of a cell in the order of their numbers, whichever came first.
+struct OrderInCells
+{
+    Span<const std::uint32_t> keys, start, points;
+    Span<std::uint32_t> order;
+
+    HOST_DEVICE void operator()(int i) const
     {
-        int first = 0;
-        for (int rest = keys.size; rest > 0;)
-        {
-            const int half = rest / 2;
-            if (keys[first + half] < std::uint32_t(cell))
-            {
-                first += half + 1;
-                rest -= half + 1;
-            }
-            else
-            {
-                rest = half;
-            }
-        }
-        start[cell] = std::uint32_t(first);
+        const int key = int(keys[i]), first = int(start[key]), end = int(start[key + 1]);
+        int before = 0;
+        for (int k = first; k < end; ++k) before += points[k] < std::uint32_t(i);
+        order[first + before] = std::uint32_t(i);
     }
 };
-
-}
-
-namespace
-{
 
 // Of as many cells as a search of that reach visits along an axis.
 std::uint32_t bitsOfSearch(float reach, float cell)
@@ -93,10 +89,13 @@ CellGridView CellGrid::view() const
 Buffer<std::uint32_t> CellGrid::build(Span<const Vec3> positions, int n)
 {
     chooseSize(n);
-    Buffer<std::uint32_t> keys(n), order(n);
-    forEach(n, AssignKeys{view(), positions, keys.span(), order.span()});
-    sortByKey(keys, order, int(bitsX_ + bitsY_ + bitsZ_));
-    forEach(start_.size(), FindStarts{keys.span(), start_.span()});
+    start_.setZero();
+    Buffer<std::uint32_t> keys(n), places(n), points(n);
+    forEach(n, CountInCells{view(), positions, keys.span(), places.span(), start_.span()});
+    sumBefore(start_);
+    forEach(n, PutInCells{keys.span(), places.span(), start_.span(), points.span()});
+    Buffer<std::uint32_t> order = std::move(places);
+    forEach(n, OrderInCells{keys.span(), start_.span(), points.span(), order.span()});
     return order;
 }
 

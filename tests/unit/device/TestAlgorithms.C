@@ -5,32 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 
 using namespace shizuku;
 using namespace shizuku::test;
-
-// Few distinct keys, so that most of the order is decided by stability; and keys that use all 32 bits.
-TEST(Algorithms, SortByKeyIsStable)
-{
-    RandomNumbers random(3);
-    for (const int n : {0, 1, 2, 1000, 30011})
-    {
-        for (const float keyRange : {5.0f, 4294967040.0f})
-        {
-            std::vector<std::uint32_t> keys(n), order(n);
-            for (auto& key : keys) key = std::uint32_t(random(0, keyRange));
-            std::iota(order.begin(), order.end(), 0u);
-            Buffer<std::uint32_t> deviceKeys(keys), deviceValues(order);
-            sortByKey(deviceKeys, deviceValues);
-
-            std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return keys[a] < keys[b]; });
-            std::sort(keys.begin(), keys.end());
-            EXPECT_EQ(deviceKeys.download(), keys);
-            EXPECT_EQ(deviceValues.download(), order);
-        }
-    }
-}
 
 // Keys that differ in their upper halves alone, and few and many of them: a GPU sorts these otherwise.
 TEST(Algorithms, SortTakesLongKeys)
@@ -47,22 +24,17 @@ TEST(Algorithms, SortTakesLongKeys)
     }
 }
 
-// As many bits as the keys have, on either side of a multiple of eight.
-TEST(Algorithms, SortByKeyLooksAtAllBitsThatItIsGiven)
+TEST(Algorithms, SumsWhatIsBefore)
 {
     RandomNumbers random(6);
-    for (const int bits : {3, 8, 9, 15, 17, 20})
+    for (const int n : {1, 2, 1000, 30011})
     {
-        std::vector<std::uint32_t> keys(5000), order(keys.size());
-        for (auto& key : keys) key = std::uint32_t(random(0, float((1u << bits) - 1)));
-        std::iota(order.begin(), order.end(), 0u);
-        Buffer<std::uint32_t> deviceKeys(keys), deviceValues(order);
-        sortByKey(deviceKeys, deviceValues, bits);
-
-        std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return keys[a] < keys[b]; });
-        std::sort(keys.begin(), keys.end());
-        EXPECT_EQ(deviceKeys.download(), keys) << bits;
-        EXPECT_EQ(deviceValues.download(), order) << bits;
+        std::vector<std::uint32_t> numbers(n), expected(n);
+        for (auto& number : numbers) number = std::uint32_t(random(0, 9));
+        for (int i = 1; i < n; ++i) expected[i] = expected[i - 1] + numbers[i - 1];
+        Buffer<std::uint32_t> sums(numbers);
+        sumBefore(sums);
+        EXPECT_EQ(sums.download(), expected) << n;
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 
@@ -186,6 +187,20 @@ TEST(NeighbourList, ListsInTheSameOrderOnAnyNumberOfThreads)
         const UseThreads use(threads);
         EXPECT_EQ(neighboursOf(points, points, true), expected);
     }
+}
+
+// Many points a cell, in no order: the same points give the same order, whichever thread comes first.
+TEST(CellGrid, OrdersPointsByCellAndThoseOfACellByNumber)
+{
+    const auto points = randomPoints(5000, {-4, -4, -4}, {4, 4, 4});
+    CellGrid grid(support);
+    const Buffer<Vec3> positions(points);
+    const auto order = grid.build(positions.span(), int(points.size())).download();
+    std::vector<std::uint32_t> expected(points.size());
+    std::iota(expected.begin(), expected.end(), 0u);
+    const CellGridView view = grid.view();
+    std::stable_sort(expected.begin(), expected.end(), [&](auto a, auto b) { return view.key(points[a]) < view.key(points[b]); });
+    EXPECT_EQ(order, expected);
 }
 
 TEST(NeighbourView, WithoutAListHasNoNeighbours)
