@@ -58,7 +58,8 @@ struct FindNeighbours
 {
     Search search;
     int room;                               // rows
-    Span<std::uint32_t> count, start;
+    std::uint32_t build;                    // which one this is
+    Span<std::uint32_t> count, start, tooLong;
     Span<NeighbourRow> rows;
 
     HOST_DEVICE void operator()(int i, Team team) const
@@ -74,6 +75,7 @@ struct FindNeighbours
         });
         if (!team.first()) return;
         count[i] = std::uint32_t(n);
+        if (n > room) tooLong[0] = build;
         if (i % s == 0) start[i / s] = std::uint32_t(i / s) * std::uint32_t(room);
     }
 };
@@ -166,9 +168,13 @@ void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, 
     const Search search{grid.view(), points, sources, support_, sameSet};
     const int groups = (n + device::interleave - 1) / device::interleave;
     count_.resizeDiscarding(n);
-    groupLength_.resizeDiscarding(groups);
 #ifdef __CUDACC__
     start_.resizeDiscarding(groups);
+    if (builds_++ == 0)
+    {
+        tooLong_.resize(1);
+        tooLong_.setZero();
+    }
     const auto find = [&](int rows)
     {
         if (rows_.size() < rows)
@@ -176,19 +182,25 @@ void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, 
             rows_.discard();
             rows_.resize(rows);
         }
-        forEachTeam(n, FindNeighbours{search, room_, count_.span(), start_.span(), rows_.span()});
+        forEachTeam(n, FindNeighbours
+        {
+            search, room_, builds_, count_.span(), start_.span(), tooLong_.span(), rows_.span()
+        });
     };
     const int inRooms = groups * room_;
     find(inRooms);
+    readTooLong_.ask(tooLong_);
+    if (*readTooLong_.wait() != builds_) return;
+    groupLength_.resizeDiscarding(groups);
     forEach(groups, LongestOfGroup{count_.span(), std::uint32_t(room_), groupLength_.span()});
     const int behind = int(exclusiveScan(groupLength_, before_, "rows of neighbours"));
-    if (behind == 0) return;
     if (rows_.size() - inRooms < behind) find(inRooms + behind + std::max(behind / 4, inRooms / 64));
     forEach(groups, PlaceLongGroup{std::uint32_t(inRooms), groupLength_.span(), before_.span(), start_.span()});
     forEachTeam(n, StoreNeighbours{search, groupLength_.span(), start_.span(), rows_.span()});
 #else
     parts_.resize((n + partSize - 1) / partSize);
     forEach(int(parts_.size()), FindNeighbours{search, count_.span(), parts_.data()});
+    groupLength_.resizeDiscarding(groups);
     forEach(groups, LongestOfGroup{count_.span(), 0, groupLength_.span()});
     rows_.resizeDiscarding(int(exclusiveScan(groupLength_, start_, "rows of neighbours")));
     forEach(int(parts_.size()), CopyLists{parts_.data(), start_.span(), rows_.span()});
