@@ -39,42 +39,63 @@ struct SumsOfParticle
     }
 };
 
+// What is to be taken back: of the sums of n particles.
+struct FindMotion
+{
+    Span<const NetMotion::Sums> sums;
+    double n;
+    HeldDirections walls;
+    Span<NetMotion::Motion> motion;
+
+    HOST_DEVICE void operator()(int) const
+    {
+        const NetMotion::Sums& all = sums[0];
+        const HeldDirections held = all.atWall > 0 ? walls : HeldDirections{};
+        motion[0] = {held.freePart(mean(all.d)), turn(all, held), mean(all.x)};
+    }
+
+private:
+    HOST_DEVICE Vec3 mean(const double* of) const { return {float(of[0] / n), float(of[1] / n), float(of[2] / n)}; }
+
+    // The turn whose angular momentum is that of the sums, about their centroid. None where the liquid is as thin as a line.
+    HOST_DEVICE Vec3 turn(const NetMotion::Sums& all, const HeldDirections& held) const
+    {
+        const double *x = all.x, *d = all.d;
+        const Vec3 momentum = held.freeTurn(vec
+        (
+            all.turn[0] - (x[1] * d[2] - x[2] * d[1]) / n,
+            all.turn[1] - (x[2] * d[0] - x[0] * d[2]) / n,
+            all.turn[2] - (x[0] * d[1] - x[1] * d[0]) / n
+        ));
+        const double xx = all.xx[0] - x[0] * x[0] / n, yy = all.xx[1] - x[1] * x[1] / n, zz = all.xx[2] - x[2] * x[2] / n;
+        const double xy = all.xy[0] - x[0] * x[1] / n, yz = all.xy[1] - x[1] * x[2] / n, zx = all.xy[2] - x[2] * x[0] / n;
+        const double trace = xx + yy + zz;
+        if (!(trace > 0)) return {};
+        const Vec3 a = 1 / float(trace) * vec(yy + zz, -xy, -zx), b = 1 / float(trace) * vec(-xy, xx + zz, -yz),
+            c = 1 / float(trace) * vec(-zx, -yz, xx + yy);
+        const float determinant = dot(a, cross(b, c));
+        if (!(determinant > 1e-6f)) return {};
+        const Vec3 adjugate = vec(dot(momentum, cross(b, c)), dot(momentum, cross(c, a)), dot(momentum, cross(a, b)));
+        return held.freeTurn(1 / (float(trace) * determinant) * adjugate);
+    }
+
+    HOST_DEVICE static Vec3 vec(double a, double b, double c) { return {float(a), float(b), float(c)}; }
+};
+
 struct MoveBack
 {
-    Vec3 mean, turn, centroid;
+    Span<const NetMotion::Motion> motion;
     float perStep;
     Span<Vec3> position, velocity;
 
     HOST_DEVICE void operator()(int i) const
     {
+        const auto [mean, turn, centroid] = motion[0];
         const Vec3 by = mean + cross(turn, position[i] - centroid);
         position[i] -= by;
         velocity[i] -= perStep * by;
     }
 };
-
-// The turn whose angular momentum is that of the sums, about their centroid. None where the liquid is as thin as a line.
-Vec3 turnOf(const NetMotion::Sums& sums, double n, const HeldDirections& held)
-{
-    const double *x = sums.x, *d = sums.d;
-    const auto vec = [](double a, double b, double c) { return Vec3{float(a), float(b), float(c)}; };
-    const Vec3 momentum = held.freeTurn(vec
-    (
-        sums.turn[0] - (x[1] * d[2] - x[2] * d[1]) / n,
-        sums.turn[1] - (x[2] * d[0] - x[0] * d[2]) / n,
-        sums.turn[2] - (x[0] * d[1] - x[1] * d[0]) / n
-    ));
-    const double xx = sums.xx[0] - x[0] * x[0] / n, yy = sums.xx[1] - x[1] * x[1] / n, zz = sums.xx[2] - x[2] * x[2] / n;
-    const double xy = sums.xy[0] - x[0] * x[1] / n, yz = sums.xy[1] - x[1] * x[2] / n, zx = sums.xy[2] - x[2] * x[0] / n;
-    const double trace = xx + yy + zz;
-    if (!(trace > 0)) return {};
-    const Vec3 a = 1 / float(trace) * vec(yy + zz, -xy, -zx), b = 1 / float(trace) * vec(-xy, xx + zz, -yz),
-        c = 1 / float(trace) * vec(-zx, -yz, xx + yy);
-    const float determinant = dot(a, cross(b, c));
-    if (!(determinant > 1e-6f)) return {};
-    const Vec3 turn = vec(dot(momentum, cross(b, c)), dot(momentum, cross(c, a)), dot(momentum, cross(a, b)));
-    return held.freeTurn(1 / (float(trace) * determinant) * turn);
-}
 
 }
 
@@ -86,22 +107,18 @@ void NetMotion::takeBack
 {
     const int n = liquid.owned();
     if (n == 0 || walls.held().all() || pressure.by.size() + forces.by.size() == 0) return;
-    const Sums sums = reduce
+    reduce
     (
         n,
         SumsOfParticle
         {
             liquid.position.span(), pressure.by.span(), forces.by.span(), pressure.scale, forces.scale, walls.view(), reach
         },
-        scratch_
+        scratch_, sums_
     );
-    const HeldDirections held = sums.atWall > 0 ? walls.held() : HeldDirections{};
-    const auto mean = [&](const double* of) { return Vec3{float(of[0] / n), float(of[1] / n), float(of[2] / n)}; };
-    forEach(n, MoveBack
-    {
-        held.freePart(mean(sums.d)), turnOf(sums, n, held), mean(sums.x), 1 / dt, liquid.position.span(),
-        liquid.velocity.span()
-    });
+    motion_.resizeDiscarding(1);
+    forEach(1, FindMotion{sums_.span(), double(n), walls.held(), motion_.span()});
+    forEach(n, MoveBack{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});
 }
 
 }

@@ -79,23 +79,30 @@ TEST(Reduce, SumsIntegersExactly)
     }
 }
 
-// Floats of very different size, whose sum depends on the order of additions: same bits on any number of threads.
+// Floats of very different size, whose sum depends on the order of additions: same bits on any number of threads. By one pass,
+// and by two.
 TEST(Reduce, GivesTheSameBitsOnAnyNumberOfThreads)
 {
     RandomNumbers random(7);
-    std::vector<float> values(20011);
-    for (float& v : values) v = std::exp(random(-12, 12)) * (random(0, 1) < 0.5f ? -1.0f : 1.0f);
-    float expected = 0;
-    const int sums = device::sumsFor(int(values.size()));
-    EXPECT_EQ(sums, 512);               // of 32 to 64 values
-    for (const float part : fold(fold(values, sums), device::fewSums)) expected += part;
-
-    const Buffer<float> buffer(values);
-    Buffer<FloatSum> scratch;
-    for (const int threads : {1, 2, 3, 7})
+    for (const auto [n, sums] : {std::pair{20011, device::fewSums}, std::pair{200011, 24 * device::fewSums}})
     {
-        const UseThreads use(threads);
-        EXPECT_EQ(reduce(buffer.size(), ReadFloat{buffer.span()}, scratch).value, expected) << threads << " threads";
+        std::vector<float> values(n);
+        for (float& v : values) v = std::exp(random(-12, 12)) * (random(0, 1) < 0.5f ? -1.0f : 1.0f);
+        EXPECT_EQ(device::sumsFor(n), sums);
+        std::vector<float> few = fold(values, sums);
+        if (sums > device::fewSums) few = fold(few, device::fewSums);
+        float expected = 0;
+        for (const float part : few) expected += part;
+
+        const Buffer<float> buffer(values);
+        Buffer<FloatSum> scratch, sum;
+        for (const int threads : {1, 2, 3, 7})
+        {
+            const UseThreads use(threads);
+            EXPECT_EQ(reduce(n, ReadFloat{buffer.span()}, scratch).value, expected) << threads << " threads";
+            reduce(n, ReadFloat{buffer.span()}, scratch, sum);
+            EXPECT_EQ(sum.download().at(0).value, fold(few, 1).at(0)) << threads << " threads";
+        }
     }
 }
 
