@@ -25,7 +25,7 @@
 //
 //     pressure
 //     {
-//         ordering        2;              // o, from 1 to 4
+//         ordering        1.5;            // o, from 1 to 4
 //     }
 //
 // maxIterations is meant for steps up to the capillary one sqrt(rho d^3/(2 pi sigma)); a longer one, which moves particles
@@ -33,7 +33,7 @@
 
 #include "freeSurface/FreeSurface.H"
 #include "models/pressure/Pressure.H"
-#include "models/pressure/shared/ConstraintSums.H"
+#include "models/pressure/completedPbf/OrderStress.H"
 #include "models/pressure/shared/PressureControls.H"
 #include "models/pressure/shared/PressureField.H"
 #include "models/pressure/shared/SteadyIterations.H"
@@ -47,7 +47,7 @@ namespace shizuku
 namespace
 {
 
-template<class Kernel>
+template<class Kernel, class Stress>
 struct RaisePressure
 {
     Kernel W;
@@ -61,11 +61,20 @@ struct RaisePressure
     HalfSpaceView plane;
     Span<float> density, pressure, increase;
     Span<Vec3> push, order;                 // dt^2/rho0 (2 dp grad(walls) + e), dt^2/rho0 e; order may be empty
+    Stress stress;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const ConstraintSums sums = constraintSums(W, volume, i, x, near, team);
+        typename Stress::Moments moments;
+        const ConstraintSums sums = constraintSums(W, volume, i, x, near, team, moments);
         const bool atWall = walls.walls.isNear(i, x[i], W.h, team);
+        float before = pressure[i];
+        if constexpr (Stress::present)
+        {
+            const SymmTensor<Vec3> slopes{team.sum(moments.sum.diagonal), team.sum(moments.sum.other)};
+            if (team.first()) stress.store(i, x[i], slopes, before, surface(i), plane, walls, atWall);
+            before = 0;
+        }
         if (!team.first()) return;
         const SurfaceState own = surface(i);
         const auto wall = atWall ? walls(i, x[i], own.contact) : WallCompletion::Sum{};
@@ -73,7 +82,6 @@ struct RaisePressure
         const Vec3 gradient = sums.gradient + wall.gradient;
         density[i] = (densityVolume * sums.W + wall.value) / (1 - gas.density);
 
-        const float before = pressure[i];
         const float step = relaxation * (density[i] - 1) / (sums.squares + squared(gradient) + epsilon);
         pressure[i] = fmaxf(before + step / perPressure, own.lowestPressure);
         increase[i] = (pressure[i] - before) * perPressure;
@@ -85,7 +93,7 @@ struct RaisePressure
     }
 };
 
-template<class Kernel>
+template<class Kernel, class Stress>
 struct Displace
 {
     Kernel W;
@@ -96,13 +104,20 @@ struct Displace
     Span<const Vec3> push, internal;        // internal: of it what should not move the liquid as a whole; may be empty
     WallStop stop;
     Span<Vec3> total, corrected;
+    Stress stress;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 xi = x[i];
         const float own = increase[i];
         Team::Vector sum;
-        near.forEach(i, xi, x, [&](auto j, auto r) { sum += (increase[j] + own) * W.g(norm(r)) * r; }, team);
+        const auto ownStress = stress[i];
+        near.forEach(i, xi, x, [&](auto j, auto r)
+        {
+            const auto slope = W.g(norm(r)) * r;
+            sum += (increase[j] + own) * slope;
+            if constexpr (Stress::present) sum -= (stress[j] + ownStress) * slope;
+        }, team);
         const Vec3 step = volume * team.sum(sum);
         const Vec3 admitted = stop(i, xi - step - push[i], team);
         if (!team.first()) return;
@@ -117,11 +132,11 @@ public:
     CompletedPbf(const Dictionary& controls, Liquid& liquid, Walls& walls, FreeSurface& surface)
     :
         controls_(PressureControls::read(controls, liquid)),
-        ordering_(float(controls.lookupOr("ordering", 2.0))),
+        ordering_(float(controls.lookupOr("ordering", 1.5))),
         limits_(controls_),
         surface_(surface),
         plane_(tabulateHalfSpace(liquid.kernel())),
-        pressure_(freshPressure(liquid)),
+        pressure_(freshPressure(liquid, true)),
         perSuction_(2 * float(M_PI) / (liquid.restDensity() * liquid.spacing() * liquid.spacing()))
     {
         refuseIf(!(ordering_ >= 1 && ordering_ <= 4), controls, "ordering", "1 to 4");
@@ -134,7 +149,6 @@ public:
         const float more = controls_.tolerance > 0 ? std::sqrt(std::max(1.0f, capillarySteps(dt))) : 1;
         limits_.maxIterations = int(std::lround(controls_.maxIterations * more));
         dt_ = dt;
-        pressure_.setZero();
     }
 
     bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
@@ -154,42 +168,26 @@ public:
             total_.resizeDiscarding(sliding);
             total_.setZero();
         }
-        std::visit
-        (
-            [&]<class Kernel>(const Kernel& W)
-            {
-                const float V = liquid.particleVolume();
-                forEachTeam(liquid.owned(), RaisePressure<Kernel>
-                {
-                    W, V, V / liquid.latticeSum(), ordering_, controls_.relaxation, controls_.epsilon,
-                    dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
-                    {extended_->view(), W.h, walls.view()}, surface_.view(), {plane_.span(), W.h},
-                    liquid.density.span(), pressure_.span(), increase_.span(), push_.span(),
-                    order_.span()
-                });
-            },
-            liquid.kernel()
-        );
+        if (iterations_ == 0)
+        {
+            stress_.resizeDiscarding(liquid.all());
+            shear_.resizeDiscarding(liquid.all());
+            raisePressure(liquid, near, walls, stress(liquid));
+        }
+        else raisePressure(liquid, near, walls, NoOrderStress{});
         return steady_.wantAnother(liquid, limits_, iterations_);
     }
 
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
         ++iterations_;
-        Buffer<Vec3> corrected(liquid.all());
-        std::visit
-        (
-            [&]<class Kernel>(const Kernel& W)
-            {
-                forEachTeam(liquid.owned(), Displace<Kernel>
-                {
-                    W, liquid.particleVolume(), liquid.predicted.span(), near.view(), increase_.span(), push_.span(),
-                    internal(), walls.stop(liquid), total_.span(), corrected.span()
-                });
-            },
-            liquid.kernel()
-        );
-        liquid.predicted.swap(corrected);
+        if (iterations_ == 1)
+        {
+            displace(liquid, near, walls, stress(liquid));
+            stress_ = {};
+            shear_ = {};
+        }
+        else displace(liquid, near, walls, NoOrderStress{});
     }
 
     bool stopsAtWalls() const override { return true; }
@@ -211,6 +209,50 @@ private:
     // dt over sqrt(rho d^3/(2 pi sigma)): the suction that the surface bears is sigma/d. 0 without.
     float capillarySteps(float dt) const { return dt * std::sqrt(perSuction_ * surface_.suction()); }
 
+    // The increase of the pressure at the predicted positions.
+    template<class Stress>
+    void raisePressure(Liquid& liquid, const Neighbourhood& near, const Walls& walls, const Stress& stress)
+    {
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                const float V = liquid.particleVolume();
+                forEachTeam(liquid.owned(), RaisePressure<Kernel, Stress>
+                {
+                    W, V, V / liquid.latticeSum(), ordering_, controls_.relaxation, controls_.epsilon,
+                    dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
+                    {extended_->view(), W.h, walls.view()}, surface_.view(), {plane_.span(), W.h},
+                    liquid.density.span(), pressure_.span(), increase_.span(), push_.span(),
+                    order_.span(), stress
+                });
+            },
+            liquid.kernel()
+        );
+    }
+
+    // What it moves the predicted positions by.
+    template<class Stress>
+    void displace(Liquid& liquid, const Neighbourhood& near, const Walls& walls, const Stress& stress)
+    {
+        Buffer<Vec3> corrected(liquid.all());
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                forEachTeam(liquid.owned(), Displace<Kernel, Stress>
+                {
+                    W, liquid.particleVolume(), liquid.predicted.span(), near.view(), increase_.span(), push_.span(),
+                    internal(), walls.stop(liquid), total_.span(), corrected.span(), stress
+                });
+            },
+            liquid.kernel()
+        );
+        liquid.predicted.swap(corrected);
+    }
+
+    OrderStress stress(const Liquid& liquid) { return {dt_ * dt_ / liquid.restDensity(), stress_.span(), shear_.span()}; }
+
     Span<const Vec3> internal() const
     {
         if (total_.size() == 0) return {};
@@ -229,6 +271,7 @@ private:
     std::optional<ExtendedLiquid> extended_;
     Buffer<float> increase_;
     bool oneAngle_ = false;
+    Buffer<Vec3> stress_, shear_;           // of the first iteration
     Buffer<Vec3> push_, order_, total_;     // empty: order_ with one contact angle, both where walls hold in all directions
     SteadyIterations steady_;
 };
