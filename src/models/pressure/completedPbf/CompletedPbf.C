@@ -25,7 +25,8 @@
 //
 //     pressure
 //     {
-//         ordering        1.5;            // o, from 1 to 4
+//         ordering        2;              // o, from 1 to 4
+//         removeOrderStress no;           // the shear that an order of the particles bears (OrderStress.H)
 //     }
 //
 // maxIterations is meant for steps up to the capillary one sqrt(rho d^3/(2 pi sigma)); a longer one, which moves particles
@@ -132,11 +133,12 @@ public:
     CompletedPbf(const Dictionary& controls, Liquid& liquid, Walls& walls, FreeSurface& surface)
     :
         controls_(PressureControls::read(controls, liquid)),
-        ordering_(float(controls.lookupOr("ordering", 1.5))),
+        ordering_(float(controls.lookupOr("ordering", 2.0))),
+        removesStress_(controls.lookupOr("removeOrderStress", false)),
         limits_(controls_),
         surface_(surface),
         plane_(tabulateHalfSpace(liquid.kernel())),
-        pressure_(freshPressure(liquid, true)),
+        pressure_(freshPressure(liquid, removesStress_)),
         perSuction_(2 * float(M_PI) / (liquid.restDensity() * liquid.spacing() * liquid.spacing()))
     {
         refuseIf(!(ordering_ >= 1 && ordering_ <= 4), controls, "ordering", "1 to 4");
@@ -149,6 +151,7 @@ public:
         const float more = controls_.tolerance > 0 ? std::sqrt(std::max(1.0f, capillarySteps(dt))) : 1;
         limits_.maxIterations = int(std::lround(controls_.maxIterations * more));
         dt_ = dt;
+        if (!removesStress_) pressure_.setZero();
     }
 
     bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
@@ -168,7 +171,7 @@ public:
             total_.resizeDiscarding(sliding);
             total_.setZero();
         }
-        if (iterations_ == 0)
+        if (removesStress_ && iterations_ == 0)
         {
             stress_.resizeDiscarding(liquid.all());
             shear_.resizeDiscarding(liquid.all());
@@ -181,7 +184,7 @@ public:
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
         ++iterations_;
-        if (iterations_ == 1)
+        if (stress_.size() > 0)
         {
             displace(liquid, near, walls, stress(liquid));
             stress_ = {};
@@ -261,6 +264,7 @@ private:
 
     PressureControls controls_;
     float ordering_;
+    bool removesStress_;
     IterationControls limits_;              // of the step
     FreeSurface& surface_;
     Buffer<HalfSpaceValues> plane_;
@@ -271,7 +275,7 @@ private:
     std::optional<ExtendedLiquid> extended_;
     Buffer<float> increase_;
     bool oneAngle_ = false;
-    Buffer<Vec3> stress_, shear_;           // of the first iteration
+    Buffer<Vec3> stress_, shear_;           // of the first iteration, where the order's stress is removed; else empty
     Buffer<Vec3> push_, order_, total_;     // empty: order_ with one contact angle, both where walls hold in all directions
     SteadyIterations steady_;
 };
