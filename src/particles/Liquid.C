@@ -4,6 +4,7 @@
 #include "particles/ParticleFiles.H"
 
 #include <cmath>
+#include <numbers>
 
 namespace shizuku
 {
@@ -23,6 +24,11 @@ double LiquidProperties::characteristicTime() const
 {
     constexpr double gravity = 9.81;
     return surfaceTension > 0 ? std::sqrt(particleMass() / surfaceTension) : std::sqrt(spacing / gravity);
+}
+
+double LiquidProperties::capillaryStep() const
+{
+    return std::sqrt(particleMass() / (2 * std::numbers::pi * surfaceTension));
 }
 
 Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)

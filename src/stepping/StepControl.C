@@ -21,17 +21,13 @@ std::vector<StepLimit> StepControl::limits
 {
     if (!adjust_) return {};
 
-    constexpr double pi = 3.14159265358979323846;
     const LiquidProperties& p = liquid.properties();
     std::vector<StepLimit> limits;
     const double speed = maxSpeed + models.bodyForce->acceleration() * deltaT;
     if (speed > 0) limits.push_back({"Courant", maxCo_ * p.spacing / speed});
     if (models.forces.active() && p.surfaceTension > 0)
     {
-        limits.push_back
-        ({
-            "capillary", maxCapillaryCo_ * std::sqrt(p.particleMass() / (2 * pi * p.surfaceTension))
-        });
+        limits.push_back({"capillary", maxCapillaryCo_ * p.capillaryStep()});
     }
     const double viscous = models.viscosity->stepLimit(p);
     if (std::isfinite(viscous)) limits.push_back({"viscous", viscous});

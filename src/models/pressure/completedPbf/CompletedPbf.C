@@ -139,7 +139,7 @@ public:
         surface_(surface),
         plane_(tabulateHalfSpace(liquid.kernel())),
         pressure_(freshPressure(liquid, removesStress_)),
-        perSuction_(2 * float(M_PI) / (liquid.restDensity() * liquid.spacing() * liquid.spacing()))
+        capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
     {
         refuseIf(!(ordering_ >= 1 && ordering_ <= 4), controls, "ordering", "1 to 4");
         if (!surface.active()) surface.require(liquid, walls, FreeSurface::usualSupport, 0);
@@ -209,8 +209,8 @@ public:
     const Buffer<float>* keepPressure() override { return &pressure_; }
 
 private:
-    // dt over sqrt(rho d^3/(2 pi sigma)): the suction that the surface bears is sigma/d. 0 without.
-    float capillarySteps(float dt) const { return dt * std::sqrt(perSuction_ * surface_.suction()); }
+    // dt over the capillary one; 0 without a tension, which leaves a surface that bears no suction.
+    float capillarySteps(float dt) const { return surface_.suction() > 0 ? dt / capillaryStep_ : 0; }
 
     // The increase of the pressure at the predicted positions.
     template<class Stress>
@@ -269,7 +269,7 @@ private:
     FreeSurface& surface_;
     Buffer<HalfSpaceValues> plane_;
     Buffer<float>& pressure_;
-    float perSuction_;                      // 2 pi/(rho d^2)
+    float capillaryStep_;
     float dt_ = 0;
     int iterations_ = 0;
     std::optional<ExtendedLiquid> extended_;

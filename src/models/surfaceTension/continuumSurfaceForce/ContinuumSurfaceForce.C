@@ -213,10 +213,9 @@ public:
     ContinuumSurfaceForce(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface)
     :
         surface_(surface),
-        sigma_(liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension))
+        sigma_(liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension)),
+        capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
     {
-        const float d = liquid.spacing();
-        longestStep2_ = liquid.restDensity() * d * d * d / (2 * kernels::pi * sigma_);
         const float support = float(coeffs.lookupOr("support", double(FreeSurface::usualSupport)));
         const float least = 1.5f * liquid.support() / liquid.spacing();
         if (!(support >= least && support <= 8))
@@ -254,7 +253,7 @@ public:
         forEachTeam(surface_.particles(), Force
         {
             W, {sums_.span(), parts_.span(), most}, sigma_, liquid.restDensity(), surface_.steepest(),
-            fminf(1, longestStep2_ / (dt_ * dt_)), liquid.predicted.span(), near.view(), view,
+            alongPart(), liquid.predicted.span(), near.view(), view,
             normal.span(), part.span(), curvature.span(), surface_.lowestPressure(), acceleration.span()
         });
     }
@@ -264,6 +263,13 @@ public:
     bool isInternal() const override { return oneAngle_; }
 
 private:
+    // Of the part along the surface: less in steps longer than the capillary one.
+    float alongPart() const
+    {
+        const float shorter = capillaryStep_ / dt_;
+        return fminf(1, shorter * shorter);
+    }
+
     // What the force adds up to, and the wedge's part in the curvature: of what lies near the surface.
     void tabulate(const Walls& walls, float most)
     {
@@ -284,7 +290,7 @@ private:
 
     FreeSurface& surface_;
     float sigma_;
-    float longestStep2_ = 0, dt_ = 0;       // square of the capillary step; the step, 0 before the first
+    float capillaryStep_, dt_ = 0;          // the step: 0 before the first
     Buffer<float> sums_, parts_;            // J and psi (SurfaceLayer.H)
     std::optional<ExtendedLiquid> extended_;
     bool oneAngle_ = false;
