@@ -24,6 +24,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/pressure/TestMomentum.C
     models/pressure/WCSPH/TestWCSPH.C
     models/pressure/completedPbf/TestCompletedPbf.C
+    models/pressure/completedPbf/TestOrderStress.C
     models/pressure/idealGas/TestIdealGas.C
     models/pressure/pbf/TestPbf.C
     models/surfaceTension/Becker2007/TestBecker2007.C

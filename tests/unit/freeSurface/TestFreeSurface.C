@@ -186,7 +186,7 @@ TEST(FreeSurface, IsFartherThanTheDensitysSupportFromWhatIsDeep)
     drop.surface.require(drop.liquid, drop.walls, 4, 0);
     auto points = latticeBall(10);
     RandomNumbers random(3);
-    for (Vec3& p : points) p += random({-0.35f, -0.35f, -0.35f}, {0.35f, 0.35f, 0.35f});
+    disorder(points, 0.35f, random);
     drop.place(points);
     const auto surface = surfaceStates(drop);
     int deep = 0;

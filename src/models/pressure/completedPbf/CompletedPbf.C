@@ -69,20 +69,16 @@ struct RaisePressure
         typename Stress::Moments moments;
         const ConstraintSums sums = constraintSums(W, volume, i, x, near, team, moments);
         const bool atWall = walls.walls.isNear(i, x[i], W.h, team);
-        float before = pressure[i];
-        if constexpr (Stress::present)
-        {
-            const SymmTensor<Vec3> slopes{team.sum(moments.sum.diagonal), team.sum(moments.sum.other)};
-            if (team.first()) stress.store(i, x[i], slopes, before, surface(i), plane, walls, atWall);
-            before = 0;
-        }
+        [[maybe_unused]] const auto slopes = moments.over(team);
         if (!team.first()) return;
         const SurfaceState own = surface(i);
+        if constexpr (Stress::present) stress.store(i, x[i], slopes, pressure[i], own, plane, walls, atWall);
         const auto wall = atWall ? walls(i, x[i], own.contact) : WallCompletion::Sum{};
         const HalfSpaceValues gas = plane(own.depth);
         const Vec3 gradient = sums.gradient + wall.gradient;
         density[i] = (densityVolume * sums.W + wall.value) / (1 - gas.density);
 
+        const float before = Stress::present ? 0 : pressure[i];
         const float step = relaxation * (density[i] - 1) / (sums.squares + squared(gradient) + epsilon);
         pressure[i] = fmaxf(before + step / perPressure, own.lowestPressure);
         increase[i] = (pressure[i] - before) * perPressure;

@@ -15,7 +15,7 @@ TEST(Pressure, ConservesMomentumWithoutWalls)
         const auto pressure = makePressure(drop, word, explicitly ? "maxSpeed 0.3;" : "maxIterations 3; tolerance 0;");
         RandomNumbers random(4);
         auto points = latticeBlock(8, 8, 8, 0.92f);
-        for (Vec3& p : points) p += random({-0.1f, -0.1f, -0.1f}, {0.1f, 0.1f, 0.1f});
+        disorder(points, 0.1f, random);
         drop.place(points, randomPoints(512, {-1, -1, -1}, {1, 1, 1}, 2));
         const auto sums = [&](const Buffer<Vec3>& field, const std::vector<Vec3>& before)
         {

@@ -53,7 +53,7 @@ TEST(Pbf, ConservesMomentumWithoutWalls)
     const auto model = makePressure(drop, "pbf", "maxIterations 3; tolerance 0; relaxation 1;");
     RandomNumbers random(4);
     auto points = latticeBlock(8, 8, 8, 0.92f);
-    for (Vec3& p : points) p += random({-0.1f, -0.1f, -0.1f}, {0.1f, 0.1f, 0.1f});
+    disorder(points, 0.1f, random);
     drop.place(points);
     const auto before = drop.liquid.predicted.download();
     iterate(*model, drop, 1);

@@ -127,7 +127,7 @@ TEST(ContinuumSurfaceForce, DoesNotMoveFreeLiquidAsAWhole)
     const auto tension = makeTension(drop);
     RandomNumbers random(3);
     auto points = latticeBlock(8, 8, 8, 1);
-    for (Vec3& p : points) p += random({-0.2f, -0.2f, -0.2f}, {0.2f, 0.2f, 0.2f});
+    disorder(points, 0.2f, random);
     drop.place(points);
     Buffer<Vec3> acceleration(drop.liquid.all());
     acceleration.setZero();
@@ -256,7 +256,7 @@ TEST(ContinuumSurfaceForce, BearsSuctionAlikeAtAHollowSurface)
     RandomNumbers random(5);
     auto points = latticeBlock(26, 26, 26, 1, {-12.5f, -12.5f, -12.5f});
     std::erase_if(points, [&](Vec3 p) { return norm(p) < R; });
-    for (Vec3& p : points) p += random({-0.25f, -0.25f, -0.25f}, {0.25f, 0.25f, 0.25f});
+    disorder(points, 0.25f, random);
     points.push_back({0, 0, 2.5f - R});                 // has nobody in the density's support to take a mean of
     for (const Vec3 f : tensionOf(drop, *tension, points)) ASSERT_TRUE(std::isfinite(norm(f)));
     points.pop_back();
