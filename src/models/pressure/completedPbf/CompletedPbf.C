@@ -25,8 +25,7 @@
 //
 //     pressure
 //     {
-//         ordering        2;              // o, from 1 to 4
-//         removeOrderStress no;           // the shear that an order of the particles bears (OrderStress.H)
+//         ordering        1.5;            // o, from 1 to 4
 //     }
 //
 // maxIterations is meant for steps up to the capillary one sqrt(rho d^3/(2 pi sigma)); a longer one, which moves particles
@@ -129,12 +128,11 @@ public:
     CompletedPbf(const Dictionary& controls, Liquid& liquid, Walls& walls, FreeSurface& surface)
     :
         controls_(PressureControls::read(controls, liquid)),
-        ordering_(float(controls.lookupOr("ordering", 2.0))),
-        removesStress_(controls.lookupOr("removeOrderStress", false)),
+        ordering_(float(controls.lookupOr("ordering", 1.5))),
         limits_(controls_),
         surface_(surface),
         plane_(tabulateHalfSpace(liquid.kernel())),
-        pressure_(freshPressure(liquid, removesStress_)),
+        pressure_(freshPressure(liquid, true)),
         capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
     {
         refuseIf(!(ordering_ >= 1 && ordering_ <= 4), controls, "ordering", "1 to 4");
@@ -147,7 +145,6 @@ public:
         const float more = controls_.tolerance > 0 ? std::sqrt(std::max(1.0f, capillarySteps(dt))) : 1;
         limits_.maxIterations = int(std::lround(controls_.maxIterations * more));
         dt_ = dt;
-        if (!removesStress_) pressure_.setZero();
     }
 
     bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
@@ -167,7 +164,7 @@ public:
             total_.resizeDiscarding(sliding);
             total_.setZero();
         }
-        if (removesStress_ && iterations_ == 0)
+        if (iterations_ == 0)
         {
             stress_.resizeDiscarding(liquid.all());
             shear_.resizeDiscarding(liquid.all());
@@ -180,7 +177,7 @@ public:
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
         ++iterations_;
-        if (stress_.size() > 0)
+        if (iterations_ == 1)
         {
             displace(liquid, near, walls, stress(liquid));
             stress_ = {};
@@ -250,7 +247,10 @@ private:
         liquid.predicted.swap(corrected);
     }
 
-    OrderStress stress(const Liquid& liquid) { return {dt_ * dt_ / liquid.restDensity(), stress_.span(), shear_.span()}; }
+    OrderStress stress(const Liquid& liquid)
+    {
+        return {dt_ * dt_ / liquid.restDensity(), liquid.spacing(), stress_.span(), shear_.span()};
+    }
 
     Span<const Vec3> internal() const
     {
@@ -260,7 +260,6 @@ private:
 
     PressureControls controls_;
     float ordering_;
-    bool removesStress_;
     IterationControls limits_;              // of the step
     FreeSurface& surface_;
     Buffer<HalfSpaceValues> plane_;
@@ -271,7 +270,7 @@ private:
     std::optional<ExtendedLiquid> extended_;
     Buffer<float> increase_;
     bool oneAngle_ = false;
-    Buffer<Vec3> stress_, shear_;           // of the first iteration, where the order's stress is removed; else empty
+    Buffer<Vec3> stress_, shear_;           // of the first iteration
     Buffer<Vec3> push_, order_, total_;     // empty: order_ with one contact angle, both where walls hold in all directions
     SteadyIterations steady_;
 };

@@ -303,7 +303,7 @@ TEST(CompletedPbf, KeepsOrderUnderSuction)
         for (std::size_t j = 0; j < points.size(); ++j)
         {
             const Vec3 r = x - points[j];
-            if (j != i) sum += (p[j] - 5.0 * p[i]) * W.slope(norm(r)) / norm(r) * Vector3(r.x, r.y, r.z);
+            if (j != i) sum += (p[j] - 4.0 * p[i]) * W.slope(norm(r)) / norm(r) * Vector3(r.x, r.y, r.z);
         }
         // Some thirty terms of up to 0.05 spacings, each rounded to 1e-7, and positions of up to twelve units to 1e-6.
         EXPECT_NEAR(moved[i].x / d - x.x, -strength * sum.x, 1e-5) << i;
@@ -388,21 +388,17 @@ TEST(CompletedPbf, PullsNoMoreThanTheTensionAllows)
 TEST(CompletedPbf, BeginsEachStepWithoutPressure)
 {
     LiquidCase drop;
-    for (const std::string remove : {"no", "yes"})
+    const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1;");
+    drop.place(latticeBlock(8, 8, 8, 0.98f));
+    std::vector<float> first;
+    for (int step = 0; step < 2; ++step)
     {
-        const auto pressure =
-            makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1; removeOrderStress " + remove + ';');
-        drop.place(latticeBlock(8, 8, 8, 0.98f));
-        std::vector<float> first;
-        for (int step = 0; step < 2; ++step)
-        {
-            pressure->begin(0.02f);
-            ASSERT_TRUE(pressure->violated(drop.liquid, drop.near, drop.walls));
-            const auto p = pressure->keepPressure()->download();
-            EXPECT_GT(*std::max_element(p.begin(), p.end()), 0);
-            if (step == 0) first = p;
-            EXPECT_EQ(p, first) << remove;
-        }
+        pressure->begin(0.02f);
+        ASSERT_TRUE(pressure->violated(drop.liquid, drop.near, drop.walls));
+        const auto p = pressure->keepPressure()->download();
+        EXPECT_GT(*std::max_element(p.begin(), p.end()), 0);
+        if (step == 0) first = p;
+        EXPECT_EQ(p, first);
     }
 }
 

@@ -14,7 +14,7 @@ TEST(OrderStress, IsTakenOutOfThePressure)
 {
     constexpr float dt = 0.5f;
     LiquidCase drop;
-    const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1; ordering 1; removeOrderStress yes;");
+    const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1; ordering 1;");
     RandomNumbers random(7);
     auto points = latticeBlock(13, 13, 13, 0.97f);
     disorder(points, 0.1f, random);

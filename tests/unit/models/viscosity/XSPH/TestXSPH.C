@@ -85,6 +85,36 @@ TEST(XSPH, HoldsBackAtWallsWithoutSlip)
     }
 }
 
+// Per capillary step the share of two steps is that of one twice as long, 1 - (1 - c)^(dt/t_c); per step it is c, whatever the step.
+TEST(XSPH, SmoothsAsMuchInATimeWhateverTheStep)
+{
+    LiquidCase drop;
+    const auto points = latticeBlock(2, 1, 1, 1);
+    const float capillary = drop.liquid.units().toScaled(drop.liquid.properties().capillaryStep(), dimensions::time);
+    const auto share = [&](const std::string& per, float dt)
+    {
+        drop.place(points, {{1, 0, 0}, {0, 0, 0}});
+        const auto model =
+            Viscosity::New(Dictionary::parse("viscosity XSPH; XSPHCoeffs { c 0.3; per " + per + "; }"), drop.liquid);
+        model->apply(drop.liquid, drop.near, drop.walls, dt);
+        return drop.inOrder(drop.liquid.velocity)[1].x;
+    };
+    const float whole = share("step", 1);               // of two particles: 0.3 W(d)/W's unit
+    EXPECT_GT(whole, 0.01f);
+    EXPECT_EQ(share("step", 7 * capillary), whole);
+    for (const float steps : {0.1f, 1.0f, 2.0f, 5.0f})  // to the rounding of a power and of velocities of order 1
+    {
+        EXPECT_NEAR(share("capillaryStep", steps * capillary) / whole, (1 - std::pow(0.7, steps)) / 0.3, 2e-6) << steps;
+    }
+}
+
+TEST(XSPH, RefusesACapillaryStepWithoutTension)
+{
+    LiquidCase drop(CaseText{.liquidProperties = "rho 1000; nu 1e-6; sigma 0;"});
+    const Dictionary models = Dictionary::parse("viscosity XSPH; XSPHCoeffs { per capillaryStep; }", "constant/models");
+    EXPECT_TRUE(holds(messageOf([&] { Viscosity::New(models, drop.liquid); }), {"constant/models", "surface tension", "per step"}));
+}
+
 TEST(XSPH, RefusesACoefficientOutOfRange)
 {
     LiquidCase drop;
