@@ -240,6 +240,51 @@ TEST_F(RuleTest, iterationsOfADropAtRest)
     EXPECT_EQ(changes(ask("iterations", 0.031)), "no advice");
 }
 
+// A half sphere, of which pi (r^2 d - d^3/3) is within a spacing d: (2 - cos theta) 2^(2/3) = 4.391 on a wall of 140 degrees,
+// where a free sphere has 4, times pi sigma R^2. The cap at rest: 3.949 (src/reference/CapOnWall.H).
+TEST_F(RuleTest, startThatMayJumpOff)
+{
+    EXPECT_EQ(changes(ask("start", 0.05)), "no advice");                 // it is not known to stand on anything
+    const double V = scene_.bodies[0].liquid.volume, r = std::cbrt(3*V/(2*pi)), d = scene_.spacing;
+    scene_.bodies[0].footing = Footing{0, pi*(r*r*d - d*d*d/3), d};
+    scene_.models["viscosity"] = "laminar";
+    const auto verdict = [&] { return ask("start", 0.05)->verdict; };
+    scene_.walls[0].theta = 121;                                          // a half sphere's turn is at 121.3
+    EXPECT_EQ(verdict(), "keep");
+    EXPECT_EQ(scene_.answer().scene, "sessile");
+    scene_.walls[0].theta = 122;
+    EXPECT_TRUE(holds(verdict(), {"it may jump off the wall: start with a cap of 92 degrees"}));
+
+    scene_.walls[0].theta = 140;
+    const JumpOff jump = jumpOff({90, 140});
+    const double D = diameter(), enough = jump.mostOhnesorge*std::sqrt(0.07*D/1000);
+    scene_.viscosity = enough*(1 - close);
+    EXPECT_TRUE(holds(verdict(), {"start with a cap of ", "or with a viscosity of " + number(enough) + " m2/s"}));
+    EXPECT_TRUE(holds(ask("start", 0.05)->reason, {"'floor' of 140 degrees as a cap of 90 would", "1.1 times", "rest has 0.987"}));
+    EXPECT_TRUE(scene_.answer().scene.empty());
+    EXPECT_FALSE(scene_.error());                                         // no stored run starts so
+    EXPECT_TRUE(holds(scene_.answer().text, {"jump off its wall"}));
+    scene_.viscosity = enough*(1 + close);
+    EXPECT_EQ(verdict(), "keep: too thick to jump off");
+    EXPECT_EQ(scene_.answer().scene, "sessile");
+    // XSPH has c (3/40) h^2/(2 dt) in place of it.
+    scene_.models["viscosity"] = "XSPH";
+    scene_.smoothing = enough*(1 - close)/(3.0/40*4e-8/(2*2e-5));
+    EXPECT_TRUE(holds(verdict(), {"may jump off"}));
+    scene_.smoothing *= (1 + close)/(1 - close);
+    EXPECT_EQ(verdict(), "keep: too thick to jump off");
+    scene_.models["viscosity"] = "none";
+    EXPECT_TRUE(holds(verdict(), {"may jump off"}));
+
+    scene_.spacing *= 2;                                                  // as a rule before it may advise: the start stays
+    EXPECT_TRUE(holds(ask("start", 0.05)->reason, {"as a cap of 90 would"}));
+    scene_.gravity = {0, 0, 10};                                          // hanging
+    EXPECT_EQ(changes(ask("start", 0.05)), "no advice");
+    scene_.gravity = {};
+    scene_.walls[0].evenTheta = false;
+    EXPECT_EQ(changes(ask("start", 0.05)), "no advice");
+}
+
 TEST_F(RuleTest, laterRulesSeeWhatEarlierOnesChanged)
 {
     // Coarse first; then the step has nothing left of the tolerance.
