@@ -286,7 +286,7 @@ SceneAnswer Scene::answer() const
     if (walls.empty()) return {"oscillation", 0, "period of a free drop"};
     if (std::any_of(bodies.begin(), bodies.end(), [&](const SceneBody& body) { return mayJumpOff(body); }))
     {
-        return {"", 0, "none that a stored study has: liquid may jump off its wall"};
+        return {"", 0, "none that a stored study has: liquid starts with the energy to leave its wall"};
     }
     const std::string angle = theta() ? number(*theta()) + " degrees" : "";
     if (isTube() && length(gravity) > 0 && theta()) return {"meniscus", *theta(), "meniscus at " + angle};
@@ -309,19 +309,19 @@ std::optional<CapStart> Scene::start(const SceneBody& body, double nu) const
     if (!body.footing || surfaceTension <= 0 || !hasTension()) return std::nullopt;
     const SceneWall& wall = walls[body.footing->wall];
     if (!wall.theta || !wall.evenTheta) return std::nullopt;
-    const double D = body.liquid.diameter(), R = 0.5*D, pressing = -dot(gravity, wall.plane->normal);
+    const double R = 0.5*body.liquid.diameter(), pressing = -dot(gravity, wall.plane->normal);
     if (pressing < 0) return std::nullopt;
     return CapStart
     {
         capAngleOf(body.footing->layer/body.liquid.volume, body.footing->depth/R), *wall.theta,
-        density*pressing*R*R/surfaceTension, nu*std::sqrt(density/(surfaceTension*D))
+        density*pressing*R*R/surfaceTension, nu*std::sqrt(density/(surfaceTension*R))
     };
 }
 
 bool Scene::mayJumpOff(const SceneBody& body) const
 {
-    const auto cap = start(body, modelViscosity());
-    return cap && cap->ohnesorge < jumpOff(*cap).mostOhnesorge;
+    const auto cap = start(body, viscosity);
+    return cap && jumpOff(*cap).excess();
 }
 
 std::optional<StoredNumber> Scene::error() const

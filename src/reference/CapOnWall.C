@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace shizuku
@@ -70,11 +69,8 @@ JumpOff jumpOff(const CapStart& start)
     constexpr double film = 0.01;       // degrees: at theta = 0 a cap has no energy left but weightless, and no radius
     const double weight = 4*start.bond/3, theta = std::max(start.theta, film);
     const auto energy = [&](double angle) { return capEnergy(angle, start.theta) + weight*capCentroid(angle); };
-    JumpOff jump{energy(start.angle), 4 + weight, energy(theta), 0, start.angle};
+    JumpOff jump{energy(start.angle), 4 + weight, energy(theta), start.angle};
     if (!jump.excess()) return jump;
-    const double barrier = jump.free - jump.rest;
-    jump.mostOhnesorge = barrier > 0 ? std::log((jump.start - jump.rest)/barrier)/(5*pi)
-                                     : std::numeric_limits<double>::infinity();
     jump.flattest = turningAngle(start.angle, theta, [&](double angle) { return energy(angle) > jump.free; });
     return jump;
 }

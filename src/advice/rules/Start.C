@@ -2,8 +2,8 @@
 //
 // A body on a flat wall of one contact angle, taken as the cap of its volume that has as much liquid within a spacing of the
 // wall (the least surface that such a start can have): where its surfaces have more energy than a free sphere that touches
-// the wall, liquid of low viscosity is thrown off as it draws together. Formulas, and the Ohnesorge number from which it stays:
-// src/reference/CapOnWall.H. The run has the viscosity of its model, XSPH's in place of the liquid's.
+// the wall, liquid of low viscosity is thrown off as it draws together. Formulas, and from which Ohnesorge number on it stays
+// whatever the wall: src/reference/CapOnWall.H. The run has the viscosity of its model, XSPH's in place of the liquid's.
 
 #include "advice/Rule.H"
 
@@ -44,24 +44,21 @@ public:
             "keep", "it wets '" + scene.walls[worst->footing->wall].name + "' of " + number(cap.theta) +
             " degrees as a cap of " + number(cap.angle) + " would, with " + number(jump.start/jump.free) +
             " times the energy of a free ball that touches it; the cap at rest has " + number(jump.rest/jump.free),
-            "exact caps, Rayleigh 1879, Lamb 1881; src/reference/CapOnWall.H"
+            "exact caps; Sanjay, Chantelot and Lohse 2023; src/reference/CapOnWall.H"
         };
         if (!jump.excess()) return advice;
-        advice.reason += "; it stays from an Ohnesorge number of " + number(jump.mostOhnesorge) + " on, and has " +
-            number(cap.ohnesorge) + " by " + scene.models.at("viscosity") + ", " +
-            number(scene.start(*worst, scene.viscosity)->ohnesorge) + " by its own viscosity";
-        if (cap.ohnesorge >= jump.mostOhnesorge)
+        advice.reason += "; it stays on any wall where Oh + Bo is 1 or more (of R), and has " + number(cap.ohnesorge + cap.bond) +
+            " by " + scene.models.at("viscosity") + ", " + number(scene.start(*worst, scene.viscosity)->ohnesorge + cap.bond) +
+            " by its own viscosity";
+        if (cap.staysAnyhow())
         {
-            advice.verdict = "keep: too thick to jump off";
+            advice.verdict = "keep: too thick or heavy to jump off";
             return advice;
         }
-        advice.verdict = "it may jump off the wall: start with a cap of " + wholeNumber(std::ceil(jump.flattest)) + " degrees";
-        if (std::isfinite(jump.mostOhnesorge))
-        {
-            const double D = worst->liquid.diameter();
-            const double nu = jump.mostOhnesorge*std::sqrt(scene.surfaceTension*D/scene.density);
-            advice.verdict += ", or with a viscosity of " + number(nu) + " m2/s";
-        }
+        const double R = 0.5*worst->liquid.diameter();
+        const double enough = (1 - cap.bond)*std::sqrt(scene.surfaceTension*R/scene.density);
+        advice.verdict = "it may jump off the wall: start with a cap of " + wholeNumber(std::ceil(jump.flattest)) +
+            " degrees, or with a viscosity of " + number(enough) + " m2/s";
         return advice;
     }
 };

@@ -63,7 +63,7 @@ TEST_P(AdviseCase, startThatMayJumpOffIsTold)
     const Outcome outcome = advise("-explain");
     EXPECT_EQ(outcome.status, 0) << outcome.text;
     EXPECT_TRUE(holds(outcome.text, {"may jump off the wall: start with a cap of 112 degrees", "'floor' of 140 degrees",
-        "with 1.07 times the energy", "error         not known, the answer is none that a stored study has: liquid may jump off"}));
+        "with 1.07 times the energy", "error         not known, the answer is none that a stored study has: liquid starts with the energy"}));
     EXPECT_NEAR(lastNumber(outcome.text, "as a cap of "), 90, 1);         // from 308 particles next to the wall
 }
 

@@ -1,11 +1,8 @@
 #include "reference/CapOnWall.H"
 
-#include "reference/DropOscillation.H"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace shizuku::test
@@ -64,28 +61,27 @@ TEST(CapOnWall, halfSpheresLeaveFrom121Degrees)
     EXPECT_TRUE(jumpOff({90, turn + 1e-6}).excess());
     // Whatever is steeper than the angle has less.
     for (const double theta : {30, 90, 150}) EXPECT_FALSE(jumpOff({theta + 29, theta}).excess());
-    EXPECT_EQ(jumpOff({90, 120}).mostOhnesorge, 0);
     EXPECT_EQ(jumpOff({90, 120}).flattest, 90);
 }
 
-TEST(CapOnWall, whatItTakesToStay)
+TEST(CapOnWall, whatAStartHasToSpare)
 {
     const JumpOff jump = jumpOff({90, 140});
-    const double cosine = std::cos(140*pi/180), rest = capEnergy(140, 140);
-    EXPECT_NEAR(jump.start, (2 - cosine)*half*half, digits);
+    EXPECT_NEAR(jump.start, (2 - std::cos(140*pi/180))*half*half, digits);
     EXPECT_NEAR(jump.free, 4, digits);
-    EXPECT_NEAR(jump.rest, rest, digits);
+    EXPECT_NEAR(jump.rest, capEnergy(140, 140), digits);
     EXPECT_NEAR(capEnergy(jump.flattest, 140), 4, digits*10);           // a root of it
     EXPECT_GT(jump.flattest, 90);
     EXPECT_LT(jump.flattest, 140);
-    // Half a swing of a free drop of that Ohnesorge number, rho = sigma = R = 1, leaves just what is needed.
-    const double nu = jump.mostOhnesorge*std::sqrt(2);
-    const double left = std::exp(-2*dropDamping(2, nu, 1)*pi/dropFrequency(2, 1, 1, 1));
-    EXPECT_NEAR((jump.start - rest)*left, 4 - rest, digits*10);
-    // A wall that nothing wets holds nothing.
-    EXPECT_EQ(jumpOff({90, 180}).mostOhnesorge, std::numeric_limits<double>::infinity());
     // A film that a wetting wall has no part in goes on spreading.
     EXPECT_FALSE(jumpOff({5, 0}).excess());
+}
+
+TEST(CapOnWall, thickOrHeavyLiquidStays)
+{
+    EXPECT_TRUE((CapStart{90, 140, 0.4, 0.6}).staysAnyhow());
+    EXPECT_FALSE((CapStart{90, 140, 0.4, 0.59}).staysAnyhow());
+    EXPECT_FALSE((CapStart{90, 140, 0.39, 0.6}).staysAnyhow());
 }
 
 TEST(CapOnWall, weightHoldsItDown)
