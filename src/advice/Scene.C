@@ -332,4 +332,17 @@ std::optional<StoredNumber> Scene::error() const
     return studies->error(asked.scene, asked.parameter, set->name, particles(smallest()), maxCapillaryCo);
 }
 
+std::optional<double> Scene::likelyError() const
+{
+    const auto typical = error();
+    if (!typical) return std::nullopt;
+    const std::string set = modelSet()->name;
+    const std::vector<double> run = studies->particles(answer().scene, set);
+    const double n = particles(smallest());
+    const auto scatter = studies->scatter(set);
+    constexpr double digits = 0.01;             // of a spacing of three digits
+    if (!scatter || n < (1 - digits)*run.front() || n > (1 + digits)*run.back()) return std::nullopt;
+    return *scatter*typical->value;
+}
+
 }
