@@ -80,9 +80,7 @@ TEST(OrderStress, IsTakenOutOfThePressure)
             }
         }
         // Thirty terms of up to 0.05 spacings, each rounded to 1e-7, and positions of up to twelve units to 1e-6.
-        EXPECT_NEAR(moved[i].x / d - points[i].x, -strength * (pairs.x - taken.x), 1e-5) << i;
-        EXPECT_NEAR(moved[i].y / d - points[i].y, -strength * (pairs.y - taken.y), 1e-5) << i;
-        EXPECT_NEAR(moved[i].z / d - points[i].z, -strength * (pairs.z - taken.z), 1e-5) << i;
+        expectMoved(moved[i], d, points[i], -strength * (pairs - taken), 1e-5, i);
         largest = std::max(largest, std::abs(strength * taken.x));
     }
     EXPECT_GT(compared, 5);
