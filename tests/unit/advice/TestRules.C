@@ -291,6 +291,18 @@ TEST_F(RuleTest, startThatMayJumpOff)
     EXPECT_EQ(changes(ask("start", 0.05)), "no advice");
 }
 
+TEST_F(RuleTest, errorOfNineRunsInTen)
+{
+    EXPECT_FALSE(scene_.likelyError());                                   // too few stored runs to tell
+    const StoredStudies many = inPairs(15, 3);
+    scene_.studies = &many;
+    fill(1024);
+    EXPECT_NEAR(scene_.error()->value, 0.02, 1e-9);                       // of a pair, 1 and 3 %
+    EXPECT_NEAR(*scene_.likelyError(), 3*0.02, 1e-9);
+    fill(1000);
+    EXPECT_FALSE(scene_.likelyError());                                   // beyond the runs
+}
+
 TEST_F(RuleTest, laterRulesSeeWhatEarlierOnesChanged)
 {
     // Coarse first; then the step has nothing left of the tolerance.

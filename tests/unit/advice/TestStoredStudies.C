@@ -76,31 +76,12 @@ TEST_F(StoredStudiesTest, timesOfASubStep)
     EXPECT_FALSE(studies_->stepTime("abacus", "A CPU", 1000));
 }
 
-// Of thirty runs in pairs alike, of which one is `ratio` times the other, each is foretold by its partner: half of them are that
-// many times what was foretold.
-class ManyStudies : public StoredStudiesTest
+// Half of the runs are three times what their partners foretell.
+TEST_F(StoredStudiesTest, scatterIsWhatNineOfTenStayBelow)
 {
-protected:
-    StoredStudies withRuns(int pairs, double ratio)
-    {
-        std::ostringstream text;
-        text << "scene,parameter,modelSet,particles,capillarySteps,error,cases,source\n";
-        for (int i = 0; i < pairs; ++i)
-        {
-            // Pairs are ten factors of two apart: what others weigh is exp(-50).
-            const double n = std::pow(2.0, 10*i);
-            text << "sessile,60,default," << n << ",0.7,0.01,1,a\nsessile,60,default," << n << ",0.7," << 0.01*ratio << ",1,b\n";
-        }
-        folder_.write(".shizuku/advice/accuracy.csv", text.str());
-        return {};
-    }
-};
-
-TEST_F(ManyStudies, scatterIsWhatNineOfTenStayBelow)
-{
-    EXPECT_NEAR(*withRuns(15, 3).scatter("default"), 3, digits);
-    EXPECT_NEAR(*withRuns(15, 1).scatter("default"), 1, digits);
-    EXPECT_FALSE(withRuns(9, 3).scatter("default"));           // too few
+    EXPECT_NEAR(*inPairs(15, 3).scatter("default"), 3, digits);
+    EXPECT_NEAR(*inPairs(15, 1).scatter("default"), 1, digits);
+    EXPECT_FALSE(inPairs(9, 3).scatter("default"));            // too few
     EXPECT_FALSE(studies_->scatter("other"));
 }
 
