@@ -11,6 +11,7 @@ set(SHIZUKU_ADVICE_SOURCES
     advice/rules/Gravity.C
     advice/rules/Iterations.C
     advice/rules/Spacing.C
+    advice/rules/Start.C
     advice/rules/Tension.C
     advice/rules/TimeStep.C
     advice/rules/Viscosity.C

@@ -1,6 +1,7 @@
 # Paths below src/.
 set(SHIZUKU_REFERENCE_SOURCES
     reference/BashforthAdams.C
+    reference/CapOnWall.C
     reference/DropOscillation.C
     reference/FlowNumbers.C
     reference/TubeMeniscus.C

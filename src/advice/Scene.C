@@ -86,6 +86,35 @@ Vector3 centroidOf(const SeparateBody& body, const std::vector<Vector3>& positio
     return sum/double(body.particles.size());
 }
 
+// The wall that the body stands on, if it is flat and the only one.
+std::optional<Footing> footingOf
+(
+    const SeparateBody& body, const std::vector<Vector3>& positions, const std::vector<AnalyticSurface>& analytic,
+    const std::vector<SceneWall>& walls, double spacing
+)
+{
+    const auto within = [&](auto distance)
+    {
+        return std::count_if
+        (
+            body.particles.begin(), body.particles.end(), [&](int i) { return distance(positions[i]) < spacing; }
+        );
+    };
+    std::optional<Footing> footing;
+    for (std::size_t w = 0; w < walls.size(); ++w)
+    {
+        // The analytic ones come first.
+        const auto layer = w < analytic.size()
+            ? within([&](const Vector3& x) { return analytic[w].signedDistance(x); })
+            : walls[w].plane ? within([&](const Vector3& x) { return walls[w].plane->distance(x); }) : -1;
+        if (layer == 0) continue;
+        // A wall of a shape that is not known may be next to it.
+        if (layer < 0 || footing || !walls[w].plane) return std::nullopt;
+        footing = {w, double(layer)*spacing*spacing*spacing, spacing};
+    }
+    return footing;
+}
+
 // From a body to the nearest wall, surface to surface.
 class Gaps
 {
@@ -186,6 +215,7 @@ Scene Scene::read(const fs::path& path, const fs::path& filled, const StoredStud
         const double gap = gaps.of(body, positions, scene.spacing);
         SceneBody each{body, length(body.velocity), gap < touching*scene.spacing ? 0 : gap, 0};
         const double fall = std::isfinite(each.gap) ? each.gap : 0;
+        each.footing = footingOf(body, positions, analytic, scene.walls, scene.spacing);
         each.impactSpeed = std::sqrt(each.speed*each.speed + 2*length(scene.gravity)*fall);
         scene.bodies.push_back(each);
     }
@@ -254,6 +284,10 @@ SceneAnswer Scene::answer() const
         return {"damBreak", 0, "front of liquid that collapses"};
     }
     if (walls.empty()) return {"oscillation", 0, "period of a free drop"};
+    if (std::any_of(bodies.begin(), bodies.end(), [&](const SceneBody& body) { return mayJumpOff(body); }))
+    {
+        return {"", 0, "none that a stored study has: liquid starts with the energy to leave its wall"};
+    }
     const std::string angle = theta() ? number(*theta()) + " degrees" : "";
     if (isTube() && length(gravity) > 0 && theta()) return {"meniscus", *theta(), "meniscus at " + angle};
     const double bond = flowNumbers(scales(bodies.front())).bond/4;        // of the radius
@@ -262,12 +296,53 @@ SceneAnswer Scene::answer() const
     return {"", 0, "none that a stored study has"};
 }
 
+double Scene::modelViscosity() const
+{
+    const std::string& model = models.at("viscosity");
+    const double h = support*spacing;
+    if (model == "XSPH") return smoothing*3/40*h*h/(2*subStep);
+    return model == "none" ? 0 : viscosity;
+}
+
+std::optional<CapStart> Scene::start(const SceneBody& body, double nu) const
+{
+    if (!body.footing || surfaceTension <= 0 || !hasTension()) return std::nullopt;
+    const SceneWall& wall = walls[body.footing->wall];
+    if (!wall.theta || !wall.evenTheta) return std::nullopt;
+    const double R = 0.5*body.liquid.diameter(), pressing = -dot(gravity, wall.plane->normal);
+    if (pressing < 0) return std::nullopt;
+    return CapStart
+    {
+        capAngleOf(body.footing->layer/body.liquid.volume, body.footing->depth/R), *wall.theta,
+        density*pressing*R*R/surfaceTension, nu*std::sqrt(density/(surfaceTension*R))
+    };
+}
+
+bool Scene::mayJumpOff(const SceneBody& body) const
+{
+    const auto cap = start(body, viscosity);
+    return cap && jumpOff(*cap).excess();
+}
+
 std::optional<StoredNumber> Scene::error() const
 {
     const auto set = modelSet();
     const SceneAnswer asked = answer();
     if (!set || asked.scene.empty()) return std::nullopt;
     return studies->error(asked.scene, asked.parameter, set->name, particles(smallest()), maxCapillaryCo);
+}
+
+std::optional<double> Scene::likelyError() const
+{
+    const auto typical = error();
+    if (!typical) return std::nullopt;
+    const std::string set = modelSet()->name;
+    const std::vector<double> run = studies->particles(answer().scene, set);
+    const double n = particles(smallest());
+    const auto scatter = studies->scatter(set);
+    constexpr double digits = 0.01;             // of a spacing of three digits
+    if (!scatter || n < (1 - digits)*run.front() || n > (1 + digits)*run.back()) return std::nullopt;
+    return *scatter*typical->value;
 }
 
 }

@@ -28,32 +28,33 @@ CsvTable table(const std::string& name)
 
 std::string joined(const std::string& a, const std::string& b) { return a == b ? a : a + " and " + b; }
 
-// Between its points by a straight line over axis(x), of value(y); the ends' values beyond.
-template<class Axis, class Back>
-StoredNumber between(const Curve& curve, double x, Axis axis, Axis scale, Back back)
+// Between its points by a straight line on logarithmic axes; the ends' values beyond.
+StoredNumber onLogarithms(const Curve& curve, double x)
 {
     const auto above = curve.lower_bound(x);
     if (above == curve.begin()) return above->second;
     const auto below = std::prev(above);
     if (above == curve.end()) return below->second;
     if (above->first == x) return above->second;
-    const double part = (axis(x) - axis(below->first))/(axis(above->first) - axis(below->first));
-    const double value = back((1 - part)*scale(below->second.value) + part*scale(above->second.value));
+    const double part = std::log(x/below->first)/std::log(above->first/below->first);
+    const double value = below->second.value*std::pow(above->second.value/below->second.value, part);
     return {value, joined(below->second.source, above->second.source)};
 }
 
-double same(double x) { return x; }
-double logarithm(double x) { return std::log(x); }
-double power(double x) { return std::exp(x); }
+// How near runs must be to tell: where the weight is exp(-1/2). Of the widths of 1.5 to 2.5, 1.4 and 2, 15 and 30 degrees these
+// foretell stored runs best that are left out (doc/advice.md).
+constexpr double nearParticles = 2, nearChoice = 2;     // ratios
+constexpr double nearAngle = 15;                        // degrees
+constexpr double nearBond = 3;                          // ratio
 
-StoredNumber onLine(const Curve& curve, double x) { return between(curve, x, same, same, same); }
-StoredNumber onLogarithms(const Curve& curve, double x) { return between(curve, x, logarithm, logarithm, power); }
+double ratioDistance(double a, double b, double ratio) { return std::log(a/b)/std::log(ratio); }
 
-bool inside(const Curve& curve, double x)
+double distanceOfParameters(const std::string& scene, double a, double b)
 {
-    constexpr double digits = 0.01;         // of numbers that went through a table, or a spacing of three digits
-    return !curve.empty() && x > (1 - digits)*curve.begin()->first && x < (1 + digits)*curve.rbegin()->first;
+    return scene == "gravity" ? ratioDistance(a, b, nearBond) : (a - b)/nearAngle;
 }
+
+constexpr double tableDigits = 0.01;        // of numbers that went through a table, or a spacing of three digits
 
 }
 
@@ -88,31 +89,74 @@ StoredStudies::StoredStudies()
     }
 }
 
+// Of the runs of the scene and the model set `asked`, at its parameter, particles and choice.
+std::optional<StoredNumber> StoredStudies::typicalError(const std::vector<Run>& runs, Run asked, const Run* leftOut)
+{
+    std::map<double, std::vector<const Run*>> byParticles;
+    for (const Run& run : runs)
+    {
+        const bool same = &run != leftOut && run.scene == asked.scene && run.modelSet == asked.modelSet;
+        if (same) byParticles[run.particles].push_back(&run);
+    }
+    const auto limits = [](const std::vector<const Run*>& of, double Run::* value)
+    {
+        const auto less = [&](const Run* a, const Run* b) { return a->*value < b->*value; };
+        const auto [low, high] = std::minmax_element(of.begin(), of.end(), less);
+        return std::pair{(*low)->*value, (*high)->*value};
+    };
+    std::vector<const Run*> those;                      // with as many particles as such a choice was tried with
+    for (const auto& [n, group] : byParticles)
+    {
+        const auto [least, most] = limits(group, &Run::choice);
+        const bool tried = asked.choice > (1 - tableDigits)*least && asked.choice < (1 + tableDigits)*most;
+        if (tried) those.insert(those.end(), group.begin(), group.end());
+    }
+    if (those.empty()) return std::nullopt;
+    for (double Run::* value : {&Run::particles, &Run::parameter})
+    {
+        const auto [low, high] = limits(those, value);
+        asked.*value = std::clamp(asked.*value, low, high);
+    }
+
+    double sum = 0, weights = 0;
+    std::map<std::string, double> sources;
+    for (const Run* run : those)
+    {
+        const double a = ratioDistance(asked.particles, run->particles, nearParticles),
+            b = ratioDistance(asked.choice, run->choice, nearChoice),
+            c = distanceOfParameters(asked.scene, asked.parameter, run->parameter);
+        const double weight = std::exp(-0.5*(a*a + b*b + c*c));
+        sum += weight*run->error;
+        weights += weight;
+        sources[run->source] += weight;
+    }
+    if (weights == 0) return std::nullopt;              // below the smallest number: nothing is near
+    constexpr double named = 0.1;                       // share of the weight
+    std::string source;
+    for (const auto& [name, weight] : sources)
+    {
+        if (weight >= named*weights) source += (source.empty() ? "" : " and ") + name;
+    }
+    return StoredNumber{sum/weights, source};
+}
+
+std::optional<double> StoredStudies::scatter(const std::string& modelSet) const
+{
+    constexpr std::size_t fewest = 20;
+    constexpr double share = 0.9;
+    std::vector<double> ratios;
+    for (const Run& run : runs_)
+    {
+        if (run.modelSet != modelSet) continue;
+        if (const auto foretold = typicalError(runs_, run, &run)) ratios.push_back(run.error/foretold->value);
+    }
+    if (ratios.size() < fewest) return std::nullopt;
+    std::sort(ratios.begin(), ratios.end());
+    return ratios[std::size_t(std::ceil(share*double(ratios.size()))) - 1];
+}
+
 namespace
 {
-
-// By particles, at a choice between those that were run.
-template<class Runs>
-Curve errorsByParticles
-(
-    const Runs& runs, const std::string& scene, double parameter, const std::string& modelSet, double choice
-)
-{
-    std::map<double, std::map<double, Curve>> all;
-    for (const auto& run : runs)
-    {
-        if (run.scene != scene || run.modelSet != modelSet) continue;
-        all[run.particles][run.choice].insert({run.parameter, {run.error, run.source}});
-    }
-    Curve byParticles;
-    for (const auto& [n, byChoice] : all)
-    {
-        Curve choices;
-        for (const auto& [each, byParameter] : byChoice) choices.insert({each, onLine(byParameter, parameter)});
-        if (inside(choices, choice)) byParticles.insert({n, onLogarithms(choices, choice)});
-    }
-    return byParticles;
-}
 
 // Of those runs that a scene was run with; ascending.
 template<class Runs, class Value>
@@ -133,9 +177,7 @@ std::optional<StoredNumber> StoredStudies::error
     const std::string& scene, double parameter, const std::string& modelSet, double particles, double capillarySteps
 ) const
 {
-    const Curve errors = errorsByParticles(runs_, scene, parameter, modelSet, capillarySteps);
-    if (errors.empty()) return std::nullopt;
-    return onLogarithms(errors, particles);
+    return typicalError(runs_, {scene, modelSet, parameter, particles, capillarySteps, 0, ""});
 }
 
 std::optional<StoredNumber> StoredStudies::errorOfIterations
@@ -143,9 +185,10 @@ std::optional<StoredNumber> StoredStudies::errorOfIterations
     const std::string& scene, double parameter, double particles, double iterations
 ) const
 {
-    const Curve errors = errorsByParticles(iterationRuns_, scene, parameter, "default", iterations);
-    if (!inside(errors, particles)) return std::nullopt;
-    return onLogarithms(errors, particles);
+    const std::vector<double> run = valuesOf(iterationRuns_, scene, "default", [](const Run& each) { return each.particles; });
+    const bool inside = !run.empty() && particles > (1 - tableDigits)*run.front() && particles < (1 + tableDigits)*run.back();
+    if (!inside) return std::nullopt;
+    return typicalError(iterationRuns_, {scene, "default", parameter, particles, iterations, 0, ""});
 }
 
 std::vector<double> StoredStudies::iterations(const std::string& scene) const

@@ -27,8 +27,8 @@ public:
     {
         const double R = 0.5*scene.smallest().liquid.diameter();
         const auto lost = [&](double nu) { return 1 - std::exp(-dropDamping(2, nu, R)*scene.duration); };
-        const double h = scene.support*scene.spacing, nu = scene.viscosity, effect = lost(nu);
-        const double smoothing = scene.smoothing*3/40*h*h/(2*scene.subStep), smoothed = lost(smoothing);
+        const double nu = scene.viscosity, effect = lost(nu);
+        const double smoothing = scene.modelViscosity(), smoothed = lost(smoothing);     // where XSPH is the model
         Advice advice
         {
             "keep", "viscosity takes " + percent(effect) + " of a swing in the time of the run (5 nu t/R^2 = " +

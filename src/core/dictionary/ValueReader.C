@@ -65,32 +65,18 @@ void ValueReader::finish() const
     );
 }
 
-template<>
-double ValueReader::read<double>()
+template<class Number>
+Number ValueReader::readNumber()
 {
     const Tree& item = next();
-    double number = 0;
+    Number number = 0;
     if (!isToken(item) || !toNumber(item.data().text, number)) fail("found " + describe(item));
     return number;
 }
 
-template<>
-long ValueReader::read<long>()
-{
-    const Tree& item = next();
-    long number = 0;
-    if (!isToken(item) || !toNumber(item.data().text, number)) fail("found " + describe(item));
-    return number;
-}
-
-template<>
-int ValueReader::read<int>()
-{
-    const Tree& item = next();
-    int number = 0;
-    if (!isToken(item) || !toNumber(item.data().text, number)) fail("found " + describe(item));
-    return number;
-}
+template<> double ValueReader::read<double>() { return readNumber<double>(); }
+template<> long ValueReader::read<long>() { return readNumber<long>(); }
+template<> int ValueReader::read<int>() { return readNumber<int>(); }
 
 template<>
 bool ValueReader::read<bool>()

@@ -2,26 +2,17 @@
 
 #include "core/fieldFile/FieldFile.H"
 #include "geometry/SolidParticles.H"
+#include "support/Programs.H"
 #include "support/ScratchFolder.H"
 #include "support/Surfaces.H"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdio>
-#include <cstdlib>
 
 namespace shizuku::test
 {
 
 namespace
 {
-
-struct Outcome
-{
-    int status = -1;        // exit status
-    std::string text;       // stdout and stderr
-};
 
 // A case of a square floor of 20 x 20 mm and a drop on it, at a spacing of 1 mm.
 class PreProcessing : public testing::Test
@@ -39,24 +30,14 @@ protected:
 
     void fill(const std::string& bodies) { folder_.write("system/fillLiquidDict", "bodies\n{\n" + bodies + "\n}\n"); }
 
-    Outcome run(const std::string& application)
+    Outcome call(const std::string& application) const
     {
-        const char* build = std::getenv("SHIZUKU_BUILD");
-        const std::string command =
-            std::string(build ? build : ".") + "/bin/" + application + " -case '" + folder_.path().string() + "' 2>&1";
-        Outcome outcome;
-        FILE* pipe = popen(command.c_str(), "r");
-        if (!pipe) return outcome;
-        char buffer[4096];
-        while (const std::size_t n = fread(buffer, 1, sizeof buffer, pipe)) outcome.text.append(buffer, n);
-        const int status = pclose(pipe);
-        if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
-        return outcome;
+        return run(program(application) + " -case '" + casePath().string() + "'");
     }
 
     void expectSuccess(const std::string& application, const std::vector<std::string>& parts)
     {
-        const Outcome outcome = run(application);
+        const Outcome outcome = call(application);
         EXPECT_EQ(outcome.status, 0) << outcome.text;
         EXPECT_TRUE(holds(outcome.text, parts));
         EXPECT_TRUE(holds(outcome.text, {"ExecutionTime", "End"}));
@@ -65,7 +46,7 @@ protected:
     // Refused with status 1 and a message, and the output is not there, not even a part of it.
     void expectRefusal(const std::string& application, const std::vector<std::string>& parts, const std::string& output)
     {
-        const Outcome outcome = run(application);
+        const Outcome outcome = call(application);
         EXPECT_EQ(outcome.status, 1) << outcome.text;
         EXPECT_TRUE(holds(outcome.text, parts));
         EXPECT_TRUE(holds(outcome.text, {"FATAL IO ERROR"}));
@@ -325,7 +306,7 @@ TEST_F(PreProcessing, patternsReachTheParticles)
     for (std::size_t i = 0; i < solid.positions.size(); ++i) ASSERT_NEAR(slope(i), 90 + 1e3*solid.positions[i].x, 1e-6);
 
     // The tutorial's image, a black cross of a fifth of its width on white; a build without VTK has no images.
-    const std::filesystem::path build = std::getenv("SHIZUKU_BUILD"), source = std::getenv("SHIZUKU_DIR");
+    const std::filesystem::path build = environment("SHIZUKU_BUILD"), source = environment("SHIZUKU_DIR");
     if (!std::filesystem::exists(build/"bin/renderCase")) GTEST_SKIP() << "built without VTK";
     std::filesystem::copy(source/"tutorials/patternedSurface/constant/cross.png", casePath()/"constant/cross.png");
     folder_.write

@@ -54,6 +54,19 @@ TEST_P(AdviseCase, sessileDropAsItIsShipped)
     EXPECT_EQ(outcome.text.find("bodyForce"), std::string::npos) << outcome.text;
 }
 
+// The tutorial's half sphere on a wall of 140 degrees: (2 - cos theta) 2^(2/3)/4 = 1.1 times a free ball's energy, 1.07 with the weight
+// that the advice switches on.
+TEST_P(AdviseCase, startThatMayJumpOffIsTold)
+{
+    copyTutorial("sessileDrop");
+    write("constant/wettability", "floor { theta 140; }\n");
+    const Outcome outcome = advise("-explain");
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"may jump off the wall: start with a cap of 112 degrees", "'floor' of 140 degrees",
+        "with 1.07 times the energy", "error         not known, the answer is none that a stored study has: liquid starts with the energy"}));
+    EXPECT_NEAR(lastNumber(outcome.text, "as a cap of "), 90, 1);         // from 308 particles next to the wall
+}
+
 // Its function object asks for the wall, which is not sampled yet.
 TEST_P(AdviseCase, wallsThatAreNotSampledAreNotMissed)
 {

@@ -12,22 +12,38 @@ constexpr double digits = 1e-12;        // doubles
 
 using StoredStudiesTest = FakeStudies;
 
-TEST_F(StoredStudiesTest, errorsLieBetweenRuns)
+TEST_F(StoredStudiesTest, errorsAreMeansOfTheRunsAround)
 {
     const auto error = [&](double theta, double n, double steps)
     {
         return studies_->error("sessile", theta, "default", n, steps)->value;
     };
-    EXPECT_NEAR(error(60, 1000, 0.7), 0.1, digits);
-    EXPECT_NEAR(error(90, 1000, 0.7), 0.075, digits);              // halfway between 60 and 120 degrees
-    EXPECT_NEAR(error(60, 2000, 0.7), 0.05, digits);               // on logarithmic axes: error ~ 1/N
-    EXPECT_NEAR(error(60, 10000, 1.4), 0.01*std::sqrt(2), digits); // error ~ sqrt(step)
+    // By hand at a run: the next ones are two factors of two away in the step (exp(-2)), 3.32 in the particles (exp(-5.52)), with
+    // their own step exp(-7.52) and that of 5 exp(-9.54), and four times 15 degrees (exp(-8)).
+    const double e2 = std::exp(-2), particles = std::exp(-0.5*std::pow(std::log2(10), 2)), five = std::exp(-0.5*std::pow(std::log2(5/0.7), 2));
+    EXPECT_NEAR
+    (
+        error(60, 1000, 0.7),
+        (0.1 + 0.2*e2 + particles*(0.01 + 0.02*e2 + 0.03*five) + 0.05*std::exp(-8))
+            /(1 + e2 + particles*(1 + e2 + five) + std::exp(-8)),
+        digits
+    );
+    for (const double theta : {60.0, 90.0, 117.0})
+    {
+        for (const double n : {1000.0, 2000.0, 10000.0})
+        {
+            for (const double steps : {0.7, 1.4}) EXPECT_NEAR(error(theta, n, steps), typical(theta, n, steps), digits);
+            // A step that only the finest runs have tried.
+            EXPECT_NEAR(error(theta, n, 5), typical(60, 10000, 5), digits);
+        }
+    }
     // Beyond the runs as at their ends.
-    EXPECT_NEAR(error(60, 100, 0.7), 0.1, digits);
-    EXPECT_NEAR(error(60, 1e6, 0.7), 0.01, digits);
-    // A step that only the finer runs have tried.
-    EXPECT_NEAR(error(60, 1000, 5), 0.03, digits);
+    EXPECT_NEAR(error(60, 100, 0.7), error(60, 1000, 0.7), digits);
+    EXPECT_NEAR(error(60, 1e6, 0.7), error(60, 10000, 0.7), digits);
+    EXPECT_NEAR(error(20, 1000, 0.7), error(60, 1000, 0.7), digits);
+    // Sources are those of a tenth of the weight; at 2000 the fine ones have exp(-2.7) of exp(-0.5).
     EXPECT_EQ(studies_->error("sessile", 60, "default", 2000, 0.7)->source, "coarse and fine");
+    EXPECT_EQ(studies_->error("sessile", 60, "default", 1000, 0.7)->source, "coarse");
 }
 
 TEST_F(StoredStudiesTest, whatWasNotRunIsNotKnown)
@@ -60,6 +76,15 @@ TEST_F(StoredStudiesTest, timesOfASubStep)
     EXPECT_FALSE(studies_->stepTime("abacus", "A CPU", 1000));
 }
 
+// Half of the runs are three times what their partners foretell.
+TEST_F(StoredStudiesTest, scatterIsWhatNineOfTenStayBelow)
+{
+    EXPECT_NEAR(*inPairs(15, 3).scatter("default"), 3, digits);
+    EXPECT_NEAR(*inPairs(15, 1).scatter("default"), 1, digits);
+    EXPECT_FALSE(inPairs(9, 3).scatter("default"));            // too few
+    EXPECT_FALSE(studies_->scatter("other"));
+}
+
 // What the repository ships: the tables are whole, and tell of the default.
 TEST(ShippedStudies, tellOfTheDefault)
 {
@@ -77,6 +102,8 @@ TEST(ShippedStudies, tellOfTheDefault)
         EXPECT_LT(error->value, 0.5) << scene;
         EXPECT_NE(error->source.find("doc/"), std::string::npos) << scene;
     }
+    EXPECT_GT(*studies.scatter("default"), 1);
+    EXPECT_LT(*studies.scatter("default"), 3);
     EXPECT_TRUE(studies.calmSteps("default"));
     EXPECT_TRUE(studies.stepTime("cuda", "NVIDIA H200", 20000));
     EXPECT_TRUE(studies.stepTime("cpu", "any", 20000));

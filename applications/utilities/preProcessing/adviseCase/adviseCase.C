@@ -71,13 +71,15 @@ struct Prediction
     CaseForecast forecast;
     double start;                           // s, until the first sub-step
     std::optional<StoredNumber> secondsPerSubStep, error;
+    std::optional<double> likelyError;      // of nine runs in ten
+    SceneAnswer answer;
 };
 
 // opened: s, until the device was there. measure: the time of a sub-step is of this machine, here and now; else of one whose
 // times are stored.
 Prediction predict(const CaseForecast& forecast, double opened, const Scene& scene, const DeviceInfo& device, bool measure)
 {
-    Prediction prediction{forecast, opened + forecast.start, {}, scene.error()};
+    Prediction prediction{forecast, opened + forecast.start, {}, scene.error(), scene.likelyError(), scene.answer()};
     std::string name = device.name;
     std::erase(name, ',');              // as the table of times has it
     if (!measure) prediction.secondsPerSubStep = scene.studies->stepTime(device.backend, name, forecast.particles);
@@ -109,7 +111,13 @@ void report(const std::string& what, const Prediction& p)
     }
     else std::cout << "not known: no benchmark of such a device is stored; -measure\n";
     std::cout << "        error         ";
-    if (p.error) std::cout << percent(p.error->value) << " (" << p.error->source << ")\n";
+    if (p.error)
+    {
+        std::cout << percent(p.error->value);
+        if (p.likelyError) std::cout << "; of ten runs nine below " << percent(*p.likelyError);
+        std::cout << " (" << p.error->source << ")\n";
+    }
+    else if (p.answer.scene.empty()) std::cout << "not known, the answer is " << p.answer.text << "\n";
     else std::cout << "not known: no stored study of this scene and these models\n";
 }
 

@@ -89,13 +89,7 @@ TEST(CompletedPbf, TakesADropOnAWallToBeAtRest)
     std::vector<float> onAnalytic;
     for (const bool sampled : {false, true})
     {
-        CaseText text{.walls = floorPlane};
-        if (sampled)
-        {
-            text.walls = sampledFloor;
-            text.solidPositions = latticeBlock(33, 33, 1, 1, {-16, -16, -0.5f});
-        }
-        LiquidCase drop(text);
+        LiquidCase drop(caseOnFloor(sampled ? latticeBlock(33, 33, 1, 1, {-16, -16, -0.5f}) : std::vector<Vec3>()));
         const auto pressure = makePressure(drop, "completedPbf", "minIterations 0; tolerance 0.02;");
         auto points = latticeBall(8);
         points.erase(std::remove_if(points.begin(), points.end(), [](Vec3 x) { return x.z < 0; }), points.end());
@@ -257,9 +251,7 @@ void expectDisplacements(float ordering)
         }
         nearFloor = std::max(nearFloor, std::abs(strength * floor));
         nearSurface = std::max(nearSurface, std::abs(strength * surface));
-        EXPECT_NEAR(moved[i].x / d - x.x, -strength * sum.x, 6e-4) << i;
-        EXPECT_NEAR(moved[i].y / d - x.y, -strength * sum.y, 6e-4) << i;
-        EXPECT_NEAR(moved[i].z / d - x.z, -strength * sum.z, 6e-4) << i;
+        expectMoved(moved[i], d, x, -strength * sum, 6e-4, i);
     }
     EXPECT_EQ(compared, 128);
     EXPECT_GT(nearFloor, 0.02);
@@ -306,9 +298,7 @@ TEST(CompletedPbf, KeepsOrderUnderSuction)
             if (j != i) sum += (p[j] - 4.0 * p[i]) * W.slope(norm(r)) / norm(r) * Vector3(r.x, r.y, r.z);
         }
         // Some thirty terms of up to 0.05 spacings, each rounded to 1e-7, and positions of up to twelve units to 1e-6.
-        EXPECT_NEAR(moved[i].x / d - x.x, -strength * sum.x, 1e-5) << i;
-        EXPECT_NEAR(moved[i].y / d - x.y, -strength * sum.y, 1e-5) << i;
-        EXPECT_NEAR(moved[i].z / d - x.z, -strength * sum.z, 1e-5) << i;
+        expectMoved(moved[i], d, x, -strength * sum, 1e-5, i);
         farthest = std::max(farthest, std::abs(strength * sum.x));
     }
     EXPECT_GT(compared, 20);

@@ -67,13 +67,7 @@ TEST(Pbf, PushesLiquidOffWallsAlongTheirNormals)
 {
     for (const bool particles : {true, false})
     {
-        CaseText text{.walls = floorPlane};
-        if (particles)
-        {
-            text.walls = sampledFloor;
-            text.solidPositions = latticeBlock(11, 11, 1, 1, {-5, -5, -0.5f});
-        }
-        LiquidCase drop(text);
+        LiquidCase drop(caseOnFloor(particles ? latticeBlock(11, 11, 1, 1, {-5, -5, -0.5f}) : std::vector<Vec3>()));
         const auto model = makePressure(drop, "pbf", "maxIterations 1; minIterations 1; tolerance 0; relaxation 1;");
         drop.place({{0, 0, particles ? -0.3f : -0.9f}});        // in the solid, where it alone is denser than liquid
         const Vec3 before = drop.liquid.predicted.download()[0];
