@@ -90,7 +90,7 @@ TEST(OrderStress, IsTakenOutOfThePressure)
 namespace
 {
 
-// D of each particle: the stress of a pressure of 1.
+// What a pressure of 1 has taken out.
 struct StoreDeviator
 {
     CubicSpline W;
@@ -112,7 +112,8 @@ struct StoreDeviator
     }
 };
 
-std::vector<SymmTensor<Vec3>> deviators(const LiquidCase& drop)
+// q D of each particle, q going from 0 to 1 between a half and one and a half of `layer` (spacings) below the surface.
+std::vector<SymmTensor<Vec3>> deviators(const LiquidCase& drop, float layer)
 {
     const Liquid& liquid = drop.liquid;
     const CubicSpline W = std::get<CubicSpline>(liquid.kernel());
@@ -123,7 +124,7 @@ std::vector<SymmTensor<Vec3>> deviators(const LiquidCase& drop)
     forEachTeam(liquid.owned(), StoreDeviator
     {
         W, liquid.particleVolume(), liquid.predicted.span(), drop.near.view(), {extended.view(), W.h, drop.walls.view()},
-        drop.surface.view(), {plane.span(), W.h}, {1, diagonal.span(), other.span()}
+        drop.surface.view(), {plane.span(), W.h}, {1, layer * liquid.spacing(), diagonal.span(), other.span()}
     });
     const auto first = drop.inOrder(diagonal), second = drop.inOrder(other);
     std::vector<SymmTensor<Vec3>> result;
@@ -206,7 +207,7 @@ TEST(OrderStress, VanishesNextToPlanesOfALattice)
         const auto below = halfSpace(-1), above = halfSpace(1);
         open.place(below);
         bounded.place(above);
-        const auto atSurface = deviators(open), atWall = deviators(bounded);
+        const auto atSurface = deviators(open, 0.1f), atWall = deviators(bounded, 0.1f);         // q is 1 everywhere
         for (double s = 0.5; s < support - 1; ++s)
         {
             const MissingPart missing(s, support), deeper(s + 0.15, support), higher(s - 0.15, support);
@@ -228,4 +229,23 @@ TEST(OrderStress, VanishesNextToPlanesOfALattice)
         EXPECT_NEAR(alongNormal(atSurface, below, placed({0, 0, -8.5f})), 0, 1e-4);
         EXPECT_NEAR(alongNormal(atWall, above, placed({0, 0, 8.5f})), 0, 1e-4);
     }
+}
+
+// q: nothing of the outermost layer, all from the third on.
+TEST(OrderStress, StaysInTheOutermostLayers)
+{
+    LiquidCase open({.kernel = "type cubicSpline; support 4;"});
+    open.surface.require(open.liquid, open.walls, 8, 0);
+    const auto points = halfSpace(-1);
+    open.place(points);
+    const auto all = deviators(open, 0.1f), taken = deviators(open, 1);
+    const auto part = [&](float s)
+    {
+        const Vec3 place = placed({0, 0, -s});
+        return alongNormal(taken, points, place) / alongNormal(all, points, place);
+    };
+    // FreeSurface.H tells the depth within 0.15 spacings of its lattice.
+    EXPECT_NEAR(part(0.5f), 0, 0.15);
+    EXPECT_NEAR(part(1.5f), 1, 0.15);
+    EXPECT_EQ(part(2.5f), 1);
 }
