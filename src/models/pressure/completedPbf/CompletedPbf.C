@@ -25,7 +25,7 @@
 //
 //     pressure
 //     {
-//         ordering        1.5;            // o, from 1 to 4
+//         ordering        1.4;            // o, from 1 to 4
 //     }
 //
 // maxIterations is meant for steps up to the capillary one sqrt(rho d^3/(2 pi sigma)); a longer one, which moves particles
@@ -128,7 +128,7 @@ public:
     CompletedPbf(const Dictionary& controls, Liquid& liquid, Walls& walls, FreeSurface& surface)
     :
         controls_(PressureControls::read(controls, liquid)),
-        ordering_(float(controls.lookupOr("ordering", 1.5))),
+        ordering_(float(controls.lookupOr("ordering", 1.4))),
         limits_(controls_),
         surface_(surface),
         plane_(tabulateHalfSpace(liquid.kernel())),
@@ -249,7 +249,7 @@ private:
 
     OrderStress stress(const Liquid& liquid)
     {
-        return {dt_ * dt_ / liquid.restDensity(), liquid.spacing(), stress_.span(), shear_.span()};
+        return {dt_ * dt_ / liquid.restDensity(), 0.5f * liquid.spacing(), stress_.span(), shear_.span()};
     }
 
     Span<const Vec3> internal() const

@@ -295,7 +295,7 @@ TEST(CompletedPbf, KeepsOrderUnderSuction)
         for (std::size_t j = 0; j < points.size(); ++j)
         {
             const Vec3 r = x - points[j];
-            if (j != i) sum += (p[j] - 4.0 * p[i]) * W.slope(norm(r)) / norm(r) * Vector3(r.x, r.y, r.z);
+            if (j != i) sum += (p[j] - 3.8 * p[i]) * W.slope(norm(r)) / norm(r) * Vector3(r.x, r.y, r.z);
         }
         // Some thirty terms of up to 0.05 spacings, each rounded to 1e-7, and positions of up to twelve units to 1e-6.
         expectMoved(moved[i], d, x, -strength * sum, 1e-5, i);
