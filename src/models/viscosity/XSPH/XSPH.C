@@ -2,16 +2,17 @@
 //
 //     u_i += c [ sum_j V (u_j - u_i) W_ij - u_i (walls) ]
 //
-// Not a physical viscosity: nu does not enter. `per step`: c is the share of a step, as the papers have it, and the damping of a
-// second depends on the step. `per capillaryStep`: c is the share of the time t_c = sqrt(rho d^3/(2 pi sigma)), of a step dt
-// 1 - (1 - c)^(dt/t_c), and liquid in shorter or longer steps is damped alike. It needs a sigma.
+// Not a physical viscosity: nu does not enter. c is the share of a step; with it alone the damping of a second depends on the step.
+// perCapillaryStep, p, is the share of the time t_c = sqrt(rho d^3/(2 pi sigma)): a step dt takes 1 - (1 - p)^(dt/t_c) where that is
+// more than c. Liquid in long steps is damped as much as in shorter ones, and the noise of short ones by c. It needs a sigma.
 // With noSlip the walls, at rest, take part by their kernel density.
 //
 //     viscosity   XSPH;
-//     XSPHCoeffs  { c 0.05; per step; noSlip yes; }
+//     XSPHCoeffs  { c 0.05; perCapillaryStep 0; noSlip yes; }
 
 #include "models/viscosity/Viscosity.H"
 
+#include <algorithm>
 #include <cmath>
 
 namespace shizuku
@@ -48,9 +49,18 @@ class XSPH : public Viscosity
 public:
     XSPH(const Dictionary& coeffs, Liquid& liquid)
     :
-        c_(float(coeffs.lookupOr("c", 0.05))), noSlip_(coeffs.lookupOr("noSlip", true)), time_(timeOfShare(coeffs, liquid))
+        c_(shareOf(coeffs, "c", 0.05)), perCapillaryStep_(shareOf(coeffs, "perCapillaryStep", 0)),
+        noSlip_(coeffs.lookupOr("noSlip", true)),
+        capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
     {
-        if (!(c_ >= 0 && c_ <= 1)) throw FatalInputError(coeffs.where("c"), "Coefficient c is out of range", "0 to 1");
+        if (perCapillaryStep_ > 0 && liquid.properties().surfaceTension == 0)
+        {
+            throw FatalInputError
+            (
+                coeffs.where("perCapillaryStep"), "There is no capillary step without a surface tension",
+                "perCapillaryStep 0, or a sigma in constant/liquidProperties"
+            );
+        }
     }
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt) override
@@ -72,25 +82,19 @@ public:
     }
 
 private:
-    // The time that c is the share of, scaled; 0: each step, whatever its length.
-    static float timeOfShare(const Dictionary& coeffs, const Liquid& liquid)
+    static float shareOf(const Dictionary& coeffs, const std::string& entry, double fallback)
     {
-        if (coeffs.lookupChoiceOr("per", {"step", "capillaryStep"}, "step") == "step") return 0;
-        if (liquid.properties().surfaceTension > 0)
-        {
-            return liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time);
-        }
-        throw FatalInputError
-        (
-            coeffs.where("per"), "There is no capillary step without a surface tension", "per step, or a sigma in constant/liquidProperties"
-        );
+        const double share = coeffs.lookupOr(entry, fallback);
+        if (share >= 0 && share <= 1) return float(share);
+        throw FatalInputError(coeffs.where(entry), "Coefficient " + entry + " is out of range", "0 to 1");
     }
 
-    float share(float dt) const { return time_ > 0 ? 1 - std::pow(1 - c_, dt / time_) : c_; }
+    // Of a step.
+    float share(float dt) const { return std::max(c_, 1 - std::pow(1 - perCapillaryStep_, dt / capillaryStep_)); }
 
-    float c_;
+    float c_, perCapillaryStep_;
     bool noSlip_;
-    float time_;
+    float capillaryStep_;
 };
 
 const ViscosityTable::Add<XSPH> registered{"XSPH"};

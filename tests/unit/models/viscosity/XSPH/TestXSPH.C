@@ -85,42 +85,47 @@ TEST(XSPH, HoldsBackAtWallsWithoutSlip)
     }
 }
 
-// Per capillary step the share of two steps is that of one twice as long, 1 - (1 - c)^(dt/t_c); per step it is c, whatever the step.
+// perCapillaryStep p: the share of a step is 1 - (1 - p)^(dt/t_c), but no less than c.
 TEST(XSPH, SmoothsAsMuchInATimeWhateverTheStep)
 {
     LiquidCase drop;
     const auto points = latticeBlock(2, 1, 1, 1);
     const float capillary = drop.liquid.units().toScaled(drop.liquid.properties().capillaryStep(), dimensions::time);
-    const auto share = [&](const std::string& per, float dt)
+    const auto smoothed = [&](const std::string& coeffs, float steps)
     {
         drop.place(points, {{1, 0, 0}, {0, 0, 0}});
-        const auto model =
-            Viscosity::New(Dictionary::parse("viscosity XSPH; XSPHCoeffs { c 0.3; per " + per + "; }"), drop.liquid);
-        model->apply(drop.liquid, drop.near, drop.walls, dt);
+        const auto model = Viscosity::New(Dictionary::parse("viscosity XSPH; XSPHCoeffs { " + coeffs + " }"), drop.liquid);
+        model->apply(drop.liquid, drop.near, drop.walls, steps * capillary);
         return drop.inOrder(drop.liquid.velocity)[1].x;
     };
-    const float whole = share("step", 1);               // of two particles: 0.3 W(d)/W's unit
-    EXPECT_GT(whole, 0.01f);
-    EXPECT_EQ(share("step", 7 * capillary), whole);
-    for (const float steps : {0.1f, 1.0f, 2.0f, 5.0f})  // to the rounding of a power and of velocities of order 1
+    const float whole = smoothed("c 1;", 1);            // of two particles: W at their distance
+    EXPECT_GT(whole, 0.03f);
+    EXPECT_EQ(smoothed("c 0.1;", 7), smoothed("c 0.1;", 1));
+    for (const float steps : {0.1f, 0.25f, 1.0f, 2.0f, 5.0f})   // the share of 0.1 lies below c
     {
-        EXPECT_NEAR(share("capillaryStep", steps * capillary) / whole, (1 - std::pow(0.7, steps)) / 0.3, 2e-6) << steps;
+        const double share = std::max(0.05, 1 - std::pow(0.7, steps));
+        // To the rounding of a power and of velocities of order 1.
+        EXPECT_NEAR(smoothed("c 0.05; perCapillaryStep 0.3;", steps) / whole, share, 4e-6) << steps;
     }
 }
 
 TEST(XSPH, RefusesACapillaryStepWithoutTension)
 {
     LiquidCase drop(CaseText{.liquidProperties = "rho 1000; nu 1e-6; sigma 0;"});
-    const Dictionary models = Dictionary::parse("viscosity XSPH; XSPHCoeffs { per capillaryStep; }", "constant/models");
-    EXPECT_TRUE(holds(messageOf([&] { Viscosity::New(models, drop.liquid); }), {"constant/models", "surface tension", "per step"}));
+    const auto make = [&](const std::string& share)
+    {
+        Viscosity::New(Dictionary::parse("viscosity XSPH; XSPHCoeffs { perCapillaryStep " + share + "; }", "constant/models"), drop.liquid);
+    };
+    EXPECT_TRUE(holds(messageOf([&] { make("0.5"); }), {"constant/models", "surface tension", "perCapillaryStep 0"}));
+    EXPECT_NO_THROW(make("0"));
 }
 
 TEST(XSPH, RefusesACoefficientOutOfRange)
 {
     LiquidCase drop;
-    for (const std::string c : {"-0.1", "1.5"})
+    for (const std::string c : {"c -0.1", "c 1.5", "perCapillaryStep 1.5"})
     {
-        const Dictionary models = Dictionary::parse("viscosity XSPH; XSPHCoeffs { c " + c + "; }", "constant/models");
+        const Dictionary models = Dictionary::parse("viscosity XSPH; XSPHCoeffs { " + c + "; }", "constant/models");
         EXPECT_TRUE(holds(messageOf([&] { Viscosity::New(models, drop.liquid); }), {"constant/models", "0 to 1"}));
     }
 }
