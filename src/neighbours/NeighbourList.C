@@ -24,7 +24,7 @@ struct Search
         const Vec3 p = points[i];
         const float support2 = support * support;
         const int self = sameSet ? i : -1;
-        grid.forEachTurn(p, support, [&](auto j, int end)
+        grid.forEachTurn(AroundPoint{p, support}, [&](auto j, int end)
         {
             visit(j, j < end && squared(p - sources[j]) < support2 && j != self);
         }, team);

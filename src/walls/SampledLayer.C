@@ -23,7 +23,7 @@ struct VirtualVolume
     HOST_DEVICE void operator()(int k) const
     {
         float sum = 0;
-        grid.forEachCandidate(position[k], W.h, [&](int l) { sum += W.W(norm(position[k] - position[l])); });
+        grid.forEachCandidate(AroundPoint{position[k], W.h}, [&](int l) { sum += W.W(norm(position[k] - position[l])); });
         volume[k] = 1 / sum;
     }
 };
