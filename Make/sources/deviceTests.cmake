@@ -49,6 +49,7 @@ set(SHIZUKU_DEVICE_TESTS
     particles/TestParticleFiles.C
     particles/TestUnits.C
     stepping/TestStartCheck.C
+    stepping/TestSubStep.C
     surface/TestLiquidSurface.C
     surface/TestMarchingCubesTable.C
     walls/TestHalfSpace.C

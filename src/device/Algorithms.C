@@ -3,6 +3,7 @@
 #include "core/messages/Error.H"
 #include "device/Device.H"
 #include "device/ForEach.H"
+#include "device/HostBuffer.H"
 #include "device/Profile.H"
 
 #ifdef __CUDACC__
@@ -10,12 +11,6 @@
 #else
 #include "device/openmp/Primitives.H"
 #endif
-
-#include <thrust/device_ptr.h>
-#include <thrust/functional.h>
-#include <thrust/iterator/counting_iterator.h>
-#include <thrust/iterator/transform_iterator.h>
-#include <thrust/scan.h>
 
 #include <string>
 
@@ -35,12 +30,30 @@ struct SaturatingSum
     }
 };
 
+struct Sum
+{
+    template<class T>
+    HOST_DEVICE T operator()(T a, T b) const
+    {
+        return a + b;
+    }
+};
+
 // Of an index: whether it is chosen. Of the end: not.
 struct Chosen
 {
     Span<const std::uint8_t> chosen;
 
     HOST_DEVICE std::uint32_t operator()(int i) const { return i < chosen.size && chosen[i] != 0; }
+};
+
+// Of an index: its value. Of the end: nothing.
+template<class T>
+struct ValueOf
+{
+    Span<const T> values;
+
+    HOST_DEVICE T operator()(int i) const { return i < values.size ? values[i] : T{}; }
 };
 
 struct PlaceChosen
@@ -55,20 +68,21 @@ struct PlaceChosen
     }
 };
 
-template<class T, class Sum>
-T scan(const Buffer<T>& in, Buffer<T>& out, Sum sum)
+// The sums before each, and the total behind them.
+template<class T, class Add>
+T scan(const Buffer<T>& in, Buffer<T>& out, Add add)
 {
-    const int n = in.size();
-    out.resizeDiscarding(n + 1);
-    const auto source = thrust::device_pointer_cast(in.span().data);
-    const auto target = thrust::device_pointer_cast(out.span().data);
-    ++deviceCounters().launches;
-    const device::KernelTimer timer("scan");
-    device::setBytes(out.span().data, 0, sizeof(T));
-    thrust::inclusive_scan(device::executionPolicy(), source, source + n, target + 1, sum);
-    T total = 0;
-    device::copyToHost(&total, out.span().data + n, sizeof(total));
-    return total;
+    static HostBuffer<T>& total = *new HostBuffer<T>;           // to the end of the process
+    total.resizeDiscarding(1);
+    const int n = in.size() + 1;
+    out.resizeDiscarding(n);
+    {
+        ++deviceCounters().launches;
+        const device::KernelTimer timer("scan");
+        device::scan(ValueOf<T>{in.span()}, n, out.span().data, total.data(), add);
+    }
+    synchronize();
+    return *total.data();
 }
 
 }
@@ -85,12 +99,11 @@ void select(const Buffer<std::uint8_t>& chosen, Selection& selection)
     const int n = chosen.size();
     selection.indices.resizeDiscarding(n);
     selection.before.resizeDiscarding(n + 1);
-    const auto counts = thrust::make_transform_iterator(thrust::counting_iterator<int>(0), Chosen{chosen.span()});
     {
         ++deviceCounters().launches;
         const device::KernelTimer timer("select");
-        const auto target = thrust::device_pointer_cast(selection.before.span().data);
-        thrust::exclusive_scan(device::executionPolicy(), counts, counts + (n + 1), target);
+        constexpr std::uint32_t* unwanted = nullptr;
+        device::scan(Chosen{chosen.span()}, n + 1, selection.before.span().data, unwanted, Sum{});
     }
     forEach(n, PlaceChosen{chosen.span(), selection.before.span(), selection.indices.span()});
 }
@@ -115,13 +128,13 @@ void sumBefore(Buffer<std::uint32_t>& numbers)
 {
     ++deviceCounters().launches;
     const device::KernelTimer timer("scan");
-    const auto first = thrust::device_pointer_cast(numbers.span().data);
-    thrust::exclusive_scan(device::executionPolicy(), first, first + numbers.size(), first);
+    constexpr std::uint32_t* unwanted = nullptr;
+    device::scan(ValueOf<std::uint32_t>{numbers.span()}, numbers.size(), numbers.span().data, unwanted, Sum{});
 }
 
 std::uint64_t exclusiveScan(const Buffer<std::uint64_t>& in, Buffer<std::uint64_t>& out)
 {
-    return scan(in, out, thrust::plus<std::uint64_t>());
+    return scan(in, out, Sum{});
 }
 
 }

@@ -3,6 +3,7 @@
 #include "device/Algorithms.H"
 
 #include <algorithm>
+#include <limits>
 
 namespace shizuku
 {
@@ -24,7 +25,7 @@ struct Search
         const Vec3 p = points[i];
         const float support2 = support * support;
         const int self = sameSet ? i : -1;
-        grid.forEachTurn(p, support, [&](auto j, int end)
+        grid.forEachTurn(AroundPoint{p, support}, [&](auto j, int end)
         {
             visit(j, j < end && squared(p - sources[j]) < support2 && j != self);
         }, team);
@@ -58,6 +59,7 @@ struct FindNeighbours
 {
     Search search;
     int room;                               // rows
+    int most;                               // of what is counted
     std::uint32_t build;                    // which one this is
     Span<std::uint32_t> count, start, tooLong;
     Span<NeighbourRow> rows;
@@ -74,7 +76,7 @@ struct FindNeighbours
             n += place.all;
         });
         if (!team.first()) return;
-        count[i] = std::uint32_t(n);
+        count[i] = std::uint32_t(n < most ? n : most);
         if (n > room) tooLong[0] = build;
         if (i % s == 0) start[i / s] = std::uint32_t(i / s) * std::uint32_t(room);
     }
@@ -165,46 +167,89 @@ struct CopyLists
 
 void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
 {
-    const Search search{grid.view(), points, sources, support_, sameSet};
+    search(points, n, grid, sources, sameSet);
+    lengthen(points, n, grid, sources, sameSet);
+}
+
+#ifdef __CUDACC__
+
+void NeighbourList::search(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
+{
     const int groups = (n + device::interleave - 1) / device::interleave;
     count_.resizeDiscarding(n);
-#ifdef __CUDACC__
     start_.resizeDiscarding(groups);
     if (builds_++ == 0)
     {
         tooLong_.resize(1);
         tooLong_.setZero();
     }
-    const auto find = [&](int rows)
-    {
-        if (rows_.size() < rows)
-        {
-            rows_.discard();
-            rows_.resize(rows);
-        }
-        forEachTeam(n, FindNeighbours
-        {
-            search, room_, builds_, count_.span(), start_.span(), tooLong_.span(), rows_.span()
-        });
-    };
-    const int inRooms = groups * room_;
-    find(inRooms);
+    find(points, n, grid, sources, sameSet, groups * room_, room_);
     readTooLong_.ask(tooLong_);
-    if (*readTooLong_.wait() != builds_) return;
+    asked_ = true;
+    if (longLists_) lengthen(points, n, grid, sources, sameSet);
+}
+
+bool NeighbourList::cutOff()
+{
+    if (asked_) longLists_ = *readTooLong_.wait() == builds_;
+    return asked_ && longLists_;
+}
+
+// Counts up to `most` entries of each list.
+void NeighbourList::find
+(
+    Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet, int rows, int most
+)
+{
+    if (rows_.size() < rows)
+    {
+        rows_.discard();
+        rows_.resize(rows);
+    }
+    forEachTeam(n, FindNeighbours
+    {
+        {grid.view(), points, sources, support_, sameSet}, room_, most, builds_, count_.span(), start_.span(),
+        tooLong_.span(), rows_.span()
+    });
+}
+
+void NeighbourList::lengthen(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
+{
+    if (!cutOff()) return;
+    asked_ = false;
+    const int groups = start_.size(), inRooms = groups * room_, all = std::numeric_limits<int>::max();
+    find(points, n, grid, sources, sameSet, inRooms, all);
     groupLength_.resizeDiscarding(groups);
     forEach(groups, LongestOfGroup{count_.span(), std::uint32_t(room_), groupLength_.span()});
     const int behind = int(exclusiveScan(groupLength_, before_, "rows of neighbours"));
-    if (rows_.size() - inRooms < behind) find(inRooms + behind + std::max(behind / 4, inRooms / 64));
+    if (rows_.size() - inRooms < behind)
+    {
+        find(points, n, grid, sources, sameSet, inRooms + behind + std::max(behind / 4, inRooms / 64), all);
+    }
     forEach(groups, PlaceLongGroup{std::uint32_t(inRooms), groupLength_.span(), before_.span(), start_.span()});
+    const Search search{grid.view(), points, sources, support_, sameSet};
     forEachTeam(n, StoreNeighbours{search, groupLength_.span(), start_.span(), rows_.span()});
+}
+
 #else
+
+void NeighbourList::search(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
+{
+    const Search search{grid.view(), points, sources, support_, sameSet};
+    const int groups = (n + device::interleave - 1) / device::interleave;
+    count_.resizeDiscarding(n);
     parts_.resize((n + partSize - 1) / partSize);
     forEach(int(parts_.size()), FindNeighbours{search, count_.span(), parts_.data()});
     groupLength_.resizeDiscarding(groups);
     forEach(groups, LongestOfGroup{count_.span(), 0, groupLength_.span()});
     rows_.resizeDiscarding(int(exclusiveScan(groupLength_, start_, "rows of neighbours")));
     forEach(int(parts_.size()), CopyLists{parts_.data(), start_.span(), rows_.span()});
-#endif
 }
+
+bool NeighbourList::cutOff() { return false; }
+
+void NeighbourList::lengthen(Span<const Vec3>, int, const CellGrid&, Span<const Vec3>, bool) {}
+
+#endif
 
 }

@@ -25,6 +25,12 @@ Neighbourhood::Neighbourhood(const Liquid& liquid)
 
 void Neighbourhood::update(Liquid& liquid, float wideSupport)
 {
+    search(liquid, wideSupport);
+    lengthen(liquid);
+}
+
+void Neighbourhood::search(Liquid& liquid, float wideSupport)
+{
     if (wideSupport != wideSupport_)
     {
         grid_ = CellGrid(liquid.support(), std::max(liquid.support(), wideSupport));
@@ -32,7 +38,13 @@ void Neighbourhood::update(Liquid& liquid, float wideSupport)
     }
     liquid.fields().reorder(grid_.build(liquid.predicted.span(), liquid.all()));
     const Span<const Vec3> points = liquid.predicted.span();
-    list_.build(points, liquid.owned(), grid_, points, true);
+    list_.search(points, liquid.owned(), grid_, points, true);
+}
+
+void Neighbourhood::lengthen(const Liquid& liquid)
+{
+    const Span<const Vec3> points = liquid.predicted.span();
+    list_.lengthen(points, liquid.owned(), grid_, points, true);
 }
 
 }

@@ -47,7 +47,7 @@ struct CrowdingOf
     {
         const Vec3 xi = x[i];
         float sum = 0, nearest2 = 1e30f;
-        grid.forEachCandidate(xi, W.h, [&](int j)
+        grid.forEachCandidate(AroundPoint{xi, W.h}, [&](int j)
         {
             const float r2 = squared(xi - x[j]);
             sum += W.W(sqrtf(r2));

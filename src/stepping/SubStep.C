@@ -5,15 +5,32 @@
 namespace shizuku
 {
 
+namespace
+{
+
+void moveByForces(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, float dt)
+{
+    models.freeSurface->update(liquid, near, walls);
+    models.forces.applyBeforeIterations(liquid, near, walls, dt);
+}
+
+}
+
 void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, float dt)
 {
     models.bodyForce->apply(liquid, dt);
     predictPositions(liquid, dt);
 
-    near.update(liquid, models.freeSurface->support());
-    walls.update(liquid);
-    models.freeSurface->update(liquid, near, walls);
-    models.forces.applyBeforeIterations(liquid, near, walls, dt);
+    near.search(liquid, models.freeSurface->support());
+    walls.search(liquid);
+    moveByForces(liquid, near, walls, models, dt);
+    if (near.cutOff() || walls.cutOff())                    // asked late: by then the device has enough to do
+    {
+        predictPositions(liquid, dt);
+        near.lengthen(liquid);
+        walls.lengthen(liquid);
+        moveByForces(liquid, near, walls, models, dt);
+    }
     walls.project(liquid);
 
     models.pressure->begin(dt);

@@ -42,18 +42,19 @@ struct CollectKeys
     Span<std::uint64_t> keys;
     Span<std::uint32_t> count;
 
-    HOST_DEVICE void operator()(int i) const
+    // The lanes of a team share the blocks: it takes a chain of reads to find each.
+    HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 p = positions[i];
         if (fabsf(p.x) >= most || fabsf(p.y) >= most || fabsf(p.z) >= most) count[farParticles] = 1;
         if (!(fabsf(p.x) < most && fabsf(p.y) < most && fabsf(p.z) < most)) return;     // no number is nowhere
-        const int highX = map.blockAt(p.x + reach), highY = map.blockAt(p.y + reach), highZ = map.blockAt(p.z + reach);
-        for (int z = map.blockAt(p.z - reach); z <= highZ; ++z)
-            for (int y = map.blockAt(p.y - reach); y <= highY; ++y)
-                for (int x = map.blockAt(p.x - reach); x <= highX; ++x)
-                {
-                    add(BlockMapView::key(x, y, z));
-                }
+        const int lowX = map.blockAt(p.x - reach), alongX = map.blockAt(p.x + reach) - lowX + 1;
+        const int lowY = map.blockAt(p.y - reach), alongY = map.blockAt(p.y + reach) - lowY + 1;
+        const int lowZ = map.blockAt(p.z - reach), alongZ = map.blockAt(p.z + reach) - lowZ + 1;
+        for (int k = team.lane; k < alongX * alongY * alongZ; k += team.width)
+        {
+            add(BlockMapView::key(lowX + k % alongX, lowY + k / alongX % alongY, lowZ + k / (alongX * alongY)));
+        }
     }
 
     HOST_DEVICE void add(std::uint64_t key) const
@@ -124,7 +125,7 @@ void BlockMap::collectKeys(Span<const Vec3> positions)
     keys_.resizeDiscarding(1 << (bits_ - 1));
     device::setBytes(table_.span().data, 0xff, std::size_t(table_.size()) * sizeof(std::uint64_t));
     counts_.setZero();
-    forEach
+    forEachTeam
     (
         positions.size,
         CollectKeys{view(), reach_, farthest_, positions, table_.span(), bits_, keys_.span(), counts_.span()}

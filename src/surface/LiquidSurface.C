@@ -131,7 +131,7 @@ struct ListEdges
     }
 };
 
-// The lanes of a team share the cells of a row.
+// The lanes of a team share the corners of a row's triangles.
 struct StoreTriangles
 {
     RowView rows;
@@ -141,30 +141,27 @@ struct StoreTriangles
 
     HOST_DEVICE void operator()(int row, Team team) const
     {
-        std::uint32_t first = RowCounts::triangles(vertices.first[row]);
-        if (RowCounts::triangles(vertices.first[row + 1]) == first) return;
+        const std::uint32_t first = RowCounts::triangles(vertices.first[row]);
+        const int all = int(RowCounts::triangles(vertices.first[row + 1]) - first);
+        if (all == 0) return;
         const RowView::Cells cells = rows.cells(row);
-        for (int x = 0; x < BlockMapView::edge; ++x)
+        std::uint32_t counts = 0;               // four bits a cell
+        for (int x = 0; x < BlockMapView::edge; ++x) counts |= std::uint32_t(table[0].triangles[cells.corners(x)]) << 4 * x;
+        for (int k = team.lane; k < 3 * all; k += team.width)
         {
-            const int corners = cells.corners(x), count = table[0].triangles[corners];
-            if (x % team.width == team.lane) store(row * BlockMapView::edge + x, table[0].edges[corners].data(), 3 * count, 3 * first);
-            first += std::uint32_t(count);
+            int x = 0, edge = k;
+            for (int of; edge >= (of = 3 * int(counts >> 4 * x & 15)); ++x) edge -= of;
+            triangles[3 * int(first) + k] = corner(row * BlockMapView::edge + x, table[0].edges[cells.corners(x)][edge]);
         }
     }
 
-    // The corners of cell `node`, given as its edges.
-    HOST_DEVICE void store(int node, const std::uint8_t* edges, int count, std::uint32_t first) const
+    // The vertex on an edge of cell `node`: edge 4 axis + bits starts at the offsets of its bits along the two other axes, lower
+    // axis first.
+    HOST_DEVICE std::uint32_t corner(int node, int edge) const
     {
-        for (int k = 0; k < count; ++k)
-        {
-            // Edge 4 axis + bits starts at the offsets of its bits along the two other axes, lower axis first.
-            const int edge = edges[k], axis = edge / 4, low = edge & 1, high = edge >> 1 & 1;
-            const int owner = rows.map.neighbour
-            (
-                node, axis == 0 ? 0 : low, axis == 0 ? low : axis == 1 ? 0 : high, axis == 2 ? 0 : high
-            );
-            triangles[int(first) + k] = vertices.on(owner, axis);
-        }
+        const int axis = edge / 4, low = edge & 1, high = edge >> 1 & 1;
+        const int owner = rows.map.neighbour(node, axis == 0 ? 0 : low, axis == 0 ? low : axis == 1 ? 0 : high, axis == 2 ? 0 : high);
+        return vertices.on(owner, axis);
     }
 };
 

@@ -23,7 +23,7 @@ struct VirtualVolume
     HOST_DEVICE void operator()(int k) const
     {
         float sum = 0;
-        grid.forEachCandidate(position[k], W.h, [&](int l) { sum += W.W(norm(position[k] - position[l])); });
+        grid.forEachCandidate(AroundPoint{position[k], W.h}, [&](int l) { sum += W.W(norm(position[k] - position[l])); });
         volume[k] = 1 / sum;
     }
 };
@@ -113,10 +113,24 @@ std::vector<float> SampledLayer::cosines() const
     return cosines;
 }
 
-void SampledLayer::update(const Liquid& liquid)
+void SampledLayer::search(const Liquid& liquid)
 {
     if (solid_.all() == 0) return;
-    near_->build(liquid.predicted.span(), liquid.owned(), *grid_, position_.span(), false);
+    near_->search(liquid.predicted.span(), liquid.owned(), *grid_, position_.span(), false);
+    fitPlanes(liquid);
+}
+
+bool SampledLayer::cutOff() { return solid_.all() > 0 && near_->cutOff(); }
+
+void SampledLayer::lengthen(const Liquid& liquid)
+{
+    if (!cutOff()) return;
+    near_->lengthen(liquid.predicted.span(), liquid.owned(), *grid_, position_.span(), false);
+    fitPlanes(liquid);
+}
+
+void SampledLayer::fitPlanes(const Liquid& liquid)
+{
     if (planes_) planes_->fit(liquid, grid_->view(), view(), near_->support());
 }
 

@@ -51,7 +51,7 @@ struct FitPlane
         nearest = team.min(nearest);
         if (nearest == most && around[int(grid.key(xi))])
         {
-            grid.forEachCandidate(xi, reach, come, team);
+            grid.forEachCandidate(AroundPoint{xi, reach}, come, team);
             nearest = team.min(nearest);
         }
         Vec3 direction, from;
@@ -70,7 +70,7 @@ struct FitPlane
         };
         const float within = nearest + 4 * spacing * spacing;
         if (within <= listed * listed) solid.near.forEach(i, add, team);
-        else if (nearest < most) grid.forEachCandidate(xi, sqrtf(fminf(within, most)), add, team);
+        else if (nearest < most) grid.forEachCandidate(AroundPoint{xi, sqrtf(fminf(within, most))}, add, team);
         total = team.sum(total);
         direction = team.sum(direction);
         from = team.sum(from);

@@ -201,7 +201,20 @@ std::optional<WallCosines> Walls::cosines() const
 
 void Walls::update(const Liquid& liquid)
 {
-    if (layer_) layer_->update(liquid);
+    search(liquid);
+    lengthen(liquid);
+}
+
+void Walls::search(const Liquid& liquid)
+{
+    if (layer_) layer_->search(liquid);
+}
+
+bool Walls::cutOff() { return layer_ && layer_->cutOff(); }
+
+void Walls::lengthen(const Liquid& liquid)
+{
+    if (layer_) layer_->lengthen(liquid);
 }
 
 void Walls::project(Liquid& liquid) const

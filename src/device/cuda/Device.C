@@ -1,8 +1,9 @@
-#include "core/messages/Error.H"
 #include "device/Device.H"
 #include "device/Memory.H"
 #include "device/Profile.H"
-#include "device/Readback.H"
+#include "device/cuda/Check.H"
+#include "device/cuda/LaunchQueue.H"
+#include "device/cuda/SmallBlocks.H"
 
 #include <cuda_runtime.h>
 
@@ -12,18 +13,7 @@
 namespace shizuku
 {
 
-namespace
-{
-
-void check(cudaError_t status, const std::string& what)
-{
-    if (status != cudaSuccess)
-    {
-        throw FatalError("CUDA: " + what + ": " + cudaGetErrorString(status));
-    }
-}
-
-}
+using device::check;
 
 DeviceInfo openDevice()
 {
@@ -46,36 +36,13 @@ DeviceInfo openDevice()
 
 void synchronize()
 {
-    check(cudaDeviceSynchronize(), "a kernel failed");
+    device::launchQueue().synchronize();
 }
 
 DeviceCounters& deviceCounters()
 {
     static DeviceCounters counters;
     return counters;
-}
-
-Readback::Readback()
-{
-    cudaEvent_t event;
-    check(cudaEventCreateWithFlags(&event, cudaEventDisableTiming), "cannot create an event");
-    event_ = event;
-}
-
-Readback::~Readback() { cudaEventDestroy(static_cast<cudaEvent_t>(event_)); }
-
-void Readback::ask(const Buffer<std::uint32_t>& words)
-{
-    words_.resizeDiscarding(words.size());
-    const std::size_t bytes = words.size() * sizeof(std::uint32_t);
-    check(cudaMemcpyAsync(words_.data(), words.span().data, bytes, cudaMemcpyDeviceToHost), "copy from the device");
-    check(cudaEventRecord(static_cast<cudaEvent_t>(event_)), "cannot record an event");
-}
-
-const std::uint32_t* Readback::wait()
-{
-    check(cudaEventSynchronize(static_cast<cudaEvent_t>(event_)), "a kernel failed");
-    return words_.data();
 }
 
 namespace device
@@ -90,7 +57,7 @@ std::size_t mark()
 {
     cudaEvent_t event;
     check(cudaEventCreate(&event), "cannot create an event");
-    check(cudaEventRecord(event), "cannot record an event");
+    check(cudaEventRecord(event, launchQueue().stream()), "cannot record an event");
     marks.push_back(event);
     return marks.size() - 1;
 }
@@ -108,11 +75,6 @@ void forgetMarks()
     marks.clear();
 }
 
-void checkLaunch()
-{
-    check(cudaGetLastError(), "cannot launch a kernel");
-}
-
 void* newBlock(std::size_t bytes) noexcept
 {
     void* memory = nullptr;
@@ -121,13 +83,17 @@ void* newBlock(std::size_t bytes) noexcept
     return nullptr;
 }
 
-void deleteBlock(void* memory) noexcept { cudaFree(memory); }
+void deleteBlock(void* memory) noexcept
+{
+    launchQueue().submit();                 // who still wants it
+    cudaFree(memory);
+}
 
 void* allocateHost(std::size_t bytes)
 {
     void* memory = nullptr;
     if (bytes == 0) return memory;
-    check(cudaMallocHost(&memory, bytes), "cannot allocate " + std::to_string(bytes >> 20) + " MiB of host memory");
+    check(cudaMallocHost(&memory, bytes), ("cannot allocate " + std::to_string(bytes >> 20) + " MiB of host memory").c_str());
     return memory;
 }
 
@@ -138,22 +104,26 @@ void releaseHost(void* memory) noexcept
 
 void copyToDevice(void* target, const void* source, std::size_t bytes)
 {
-    check(cudaMemcpy(target, source, bytes, cudaMemcpyHostToDevice), "copy to the device");
+    check(cudaMemcpyAsync(target, source, bytes, cudaMemcpyHostToDevice, launchQueue().stream()), "copy to the device");
+    launchQueue().synchronize();
 }
 
 void copyToHost(void* target, const void* source, std::size_t bytes)
 {
-    check(cudaMemcpy(target, source, bytes, cudaMemcpyDeviceToHost), "copy from the device");
+    check(cudaMemcpyAsync(target, source, bytes, cudaMemcpyDeviceToHost, launchQueue().stream()), "copy from the device");
+    launchQueue().synchronize();
 }
 
 void copyOnDevice(void* target, const void* source, std::size_t bytes)
 {
-    check(cudaMemcpyAsync(target, source, bytes, cudaMemcpyDeviceToDevice), "copy on the device");
+    if (enqueueCopy(target, source, bytes)) return;
+    check(cudaMemcpyAsync(target, source, bytes, cudaMemcpyDeviceToDevice, launchQueue().stream()), "copy on the device");
 }
 
 void setBytes(void* target, int value, std::size_t bytes)
 {
-    check(cudaMemsetAsync(target, value, bytes), "set memory");
+    if (enqueueSet(target, value, bytes)) return;
+    check(cudaMemsetAsync(target, value, bytes, launchQueue().stream()), "set memory");
 }
 
 }

@@ -46,9 +46,6 @@ DeviceCounters& deviceCounters()
     return counters;
 }
 
-Readback::Readback() = default;
-Readback::~Readback() = default;
-
 void Readback::ask(const Buffer<std::uint32_t>& words)
 {
     words_.resizeDiscarding(words.size());

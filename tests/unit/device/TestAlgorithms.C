@@ -24,10 +24,11 @@ TEST(Algorithms, SortTakesLongKeys)
     }
 }
 
+// As many as a GPU's passes take at a time, and one more; parts of a thousand and a million.
 TEST(Algorithms, SumsWhatIsBefore)
 {
     RandomNumbers random(6);
-    for (const int n : {1, 2, 1000, 30011})
+    for (const int n : {1, 2, 1000, 1024, 1025, 30011, 1 << 20, (1 << 20) + 1})
     {
         std::vector<std::uint32_t> numbers(n), expected(n);
         for (auto& number : numbers) number = std::uint32_t(random(0, 9));
@@ -92,7 +93,7 @@ TEST(Algorithms, ExclusiveScanRefusesATotalThatNoIndexCanCount)
 // Totals beyond 32 bits.
 TEST(Algorithms, ExclusiveScanOfLongNumbers)
 {
-    for (const int n : {0, 1, 1000, 30011})
+    for (const int n : {0, 1, 1000, 30011, 1100000})
     {
         std::vector<std::uint64_t> in(n), expected{0};
         for (int i = 0; i < n; ++i) in[i] = std::uint64_t(i % 7) << 32 | std::uint64_t(i % 11);

@@ -17,6 +17,15 @@ struct AddIndex
     HOST_DEVICE void operator()(int i) const { values[i] += i + 1; }
 };
 
+// Not what it would be in any other order.
+struct TimesThreePlus
+{
+    std::uint32_t number;
+    Span<std::uint32_t> values;
+
+    HOST_DEVICE void operator()(int i) const { values[i] = 3 * values[i] + number; }
+};
+
 struct Sums
 {
     float numbers, squares, least;
@@ -157,4 +166,22 @@ TEST(Gather, TakesElementsInTheGivenOrder)
     Buffer<float> to;
     gather(from, order, to);
     EXPECT_EQ(to.download(), (std::vector<float>{13, 10, 10, 12, 11}));
+}
+
+// More loops than go to a GPU at once, with other arguments each time, and with waits in between.
+TEST(ForEach, LoopsFollowEachOther)
+{
+    constexpr int n = 700;
+    Buffer<std::uint32_t> values(n);
+    values.setZero();
+    std::uint32_t expected = 0;
+    for (const int loops : {1, 3, 100, 5, 100})
+    {
+        for (int k = 0; k < loops; ++k)
+        {
+            forEach(n, TimesThreePlus{std::uint32_t(k), values.span()});
+            expected = 3 * expected + std::uint32_t(k);
+        }
+        EXPECT_EQ(values.download(), std::vector<std::uint32_t>(n, expected));
+    }
 }

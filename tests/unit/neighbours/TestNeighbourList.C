@@ -59,6 +59,20 @@ void expectAllPairs(const std::vector<Vec3>& points, float cellSize = support)
     EXPECT_TRUE(agreesWithAllPairs(neighboursOf(points, points, true, cellSize), points, points, support, true));
 }
 
+// How often a search along each line visits each particle.
+struct VisitAlong
+{
+    CellGridView grid;
+    Span<const AroundLine> lines;
+    int n;
+    Span<std::uint32_t> visits;
+
+    HOST_DEVICE void operator()(int line) const
+    {
+        grid.forEachCandidate(lines[line], [&](int j) { ++visits[line * n + j]; });
+    }
+};
+
 std::vector<Vec3> shifted(std::vector<Vec3> points, Vec3 by)
 {
     for (Vec3& p : points) p += by;
@@ -177,6 +191,31 @@ TEST(NeighbourList, StoresListsThatFindNoRoom)
     }
 }
 
+// In parts: what search() cuts off is made whole, and where some lists were too long nothing is cut off the next time.
+TEST(NeighbourList, LengthensWhatItHasCutOff)
+{
+    const auto points = randomPoints(900, {0, 0, 0}, {5, 5, 5});
+    const Buffer<Vec3> unsorted(points);
+    CellGrid grid(support, support);
+    const std::vector<std::uint32_t> order = grid.build(unsorted.span(), unsorted.size()).download();
+    Buffer<Vec3> sorted;
+    gather(unsorted, Buffer<std::uint32_t>(order), sorted);
+    const int n = sorted.size();
+    for (const int room : {20, 400})
+    {
+        NeighbourList list(support, room);
+        list.search(sorted.span(), n, grid, sorted.span(), true);
+        const bool cutOff = list.cutOff();
+        EXPECT_EQ(cutOff, device::interleave > 1 && room == 20);           // a CPU knows each list's length before it stores it
+        if (cutOff) list.lengthen(sorted.span(), n, grid, sorted.span(), true);
+        EXPECT_FALSE(list.cutOff());
+        EXPECT_TRUE(agreesWithAllPairs(listsOf(list.view(), order, order), points, points, support, true));
+        list.search(sorted.span(), n, grid, sorted.span(), true);
+        EXPECT_FALSE(list.cutOff());
+        EXPECT_TRUE(agreesWithAllPairs(listsOf(list.view(), order, order), points, points, support, true));
+    }
+}
+
 // The order of a list decides the order of a sum: it must not depend on the threads.
 TEST(NeighbourList, ListsInTheSameOrderOnAnyNumberOfThreads)
 {
@@ -201,6 +240,47 @@ TEST(CellGrid, OrdersPointsByCellAndThoseOfACellByNumber)
     const CellGridView view = grid.view();
     std::stable_sort(expected.begin(), expected.end(), [&](auto a, auto b) { return view.key(points[a]) < view.key(points[b]); });
     EXPECT_EQ(order, expected);
+}
+
+// Along lines in all directions, at borders of cells and across the grid's own.
+TEST(CellGrid, SearchesAlongALine)
+{
+    const auto points = randomPoints(4000, {-4, -4, -4}, {4, 4, 4});
+    constexpr float reach = 0.9f, half = 1.7f;
+    CellGrid grid(support, 2 * support);
+    const Buffer<Vec3> positions(points);
+    const Buffer<std::uint32_t> order = grid.build(positions.span(), int(points.size()));
+    Buffer<Vec3> sorted;
+    gather(positions, order, sorted);
+    const std::vector<AroundLine> lines
+    {
+        {{0, 0, 0}, reach, half, {1, 0, 0}}, {{support, -support, 2 * support}, reach, half, {0, -1, 0}},
+        {{0.3f, 1, -2}, reach, half, {0, 0, 1}}, {{-3, 2, 1}, reach, half, {0.6f, 0, 0.8f}},
+        {{1, -2, 0.5f}, reach, half, {-0.48f, 0.6f, 0.64f}}, {{3.5f, 3.5f, -3.5f}, reach, half, {0.57735f, 0.57735f, -0.57735f}}
+    };
+    const int n = int(points.size()), all = int(lines.size());
+    Buffer<AroundLine> regions(lines);
+    Buffer<std::uint32_t> visits(n * all);
+    visits.setZero();
+    forEach(all, VisitAlong{grid.view(), regions.span(), n, visits.span()});
+    const auto places = sorted.download();
+    const auto visited = visits.download();
+    for (int line = 0; line < all; ++line)
+    {
+        const auto& [p, within, length, direction] = lines[line];
+        int candidates = 0;
+        for (int j = 0; j < n; ++j)
+        {
+            const Vec3 r = places[j] - p;
+            const float s = std::clamp(dot(r, direction), -length, length);
+            if (norm(r - s * direction) < within) EXPECT_EQ(visited[line * n + j], 1u);
+            EXPECT_LE(visited[line * n + j], 1u);
+            candidates += int(visited[line * n + j]);
+        }
+        // The neighbourhood has 11.7 of the 512 units of volume, and up to 90 with what rows of cells reach beyond it; a ball
+        // around all of it would have 73.6, and 150.
+        EXPECT_LT(candidates, n * 90 / 512) << line;
+    }
 }
 
 TEST(NeighbourView, WithoutAListHasNoNeighbours)

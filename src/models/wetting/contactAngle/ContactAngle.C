@@ -38,7 +38,7 @@ struct SolidNormal
         if (choice == wall) return wallNormal;
         Vec3 sum;
         if (choice == zero) return sum;
-        grid.forEachCandidate(place, W.h, [&](int j)
+        grid.forEachCandidate(AroundPoint{place, W.h}, [&](int j)
         {
             const Vec3 r = place - x[j];
             sum += volume / density[j] * W.g(norm(r)) * r;

@@ -1,0 +1,113 @@
+#include "device/cuda/LaunchQueue.H"
+
+#include <algorithm>
+
+namespace shizuku::device
+{
+
+LaunchQueue::LaunchQueue()
+{
+    check(cudaStreamCreate(&stream_), "cannot create a stream");
+}
+
+void LaunchQueue::push(const void* argument, std::size_t bytes)
+{
+    constexpr std::size_t alignment = 16;
+    arguments_.push_back(bytes_.size());
+    bytes_.resize(bytes_.size() + (bytes + alignment - 1) / alignment * alignment);
+    std::memcpy(bytes_.data() + arguments_.back(), argument, bytes);
+}
+
+void LaunchQueue::submit()
+{
+    if (waiting_.empty()) return;
+    enough_ = std::min(2 * enough_, most);
+    const Forget afterwards{*this};
+    pointers_.clear();
+    for (const std::size_t argument : arguments_) pointers_.push_back(bytes_.data() + argument);
+    if (waiting_.size() == 1)
+    {
+        const cudaKernelNodeParams one = parameters(0);
+        check(cudaLaunchKernel(one.func, one.gridDim, one.blockDim, one.kernelParams, 0, stream_), "cannot launch a kernel");
+    }
+    else check(cudaGraphLaunch(chain(), stream_), "cannot launch kernels");
+}
+
+LaunchQueue::Forget::~Forget()
+{
+    queue.waiting_.clear();
+    queue.arguments_.clear();
+    queue.bytes_.clear();
+}
+
+cudaGraphExec_t LaunchQueue::chain()
+{
+    std::vector<const void*> kernels;
+    for (const Launch& launch : waiting_) kernels.push_back(launch.kernel);
+    const auto known = chains_.find(kernels);
+    if (known == chains_.end())
+    {
+        constexpr std::size_t mostChains = 512;         // of a run: some tens
+        if (chains_.size() >= mostChains) forgetChains();
+        return chains_.emplace(kernels, make()).first->second.executable;
+    }
+    const Chain& chain = known->second;
+    for (std::size_t k = 0; k < waiting_.size(); ++k)
+    {
+        const cudaKernelNodeParams now = parameters(k);
+        check(cudaGraphExecKernelNodeSetParams(chain.executable, chain.nodes[k], &now), "cannot change a kernel's arguments");
+    }
+    return chain.executable;
+}
+
+void LaunchQueue::synchronize()
+{
+    check(cudaStreamSynchronize(stream()), "a kernel failed");
+    idle();
+}
+
+cudaKernelNodeParams LaunchQueue::parameters(std::size_t k)
+{
+    const Launch& launch = waiting_[k];
+    cudaKernelNodeParams parameters{};
+    parameters.func = const_cast<void*>(launch.kernel);
+    parameters.gridDim = launch.blocks;
+    parameters.blockDim = launch.threads;
+    parameters.kernelParams = pointers_.data() + launch.firstArgument;
+    return parameters;
+}
+
+LaunchQueue::Chain LaunchQueue::make()
+{
+    Chain chain;
+    check(cudaGraphCreate(&chain.graph, 0), "cannot create a graph");
+    for (std::size_t k = 0; k < waiting_.size(); ++k)
+    {
+        const cudaKernelNodeParams kernel = parameters(k);
+        const cudaGraphNode_t* const before = k > 0 ? &chain.nodes.back() : nullptr;
+        cudaGraphNode_t node;
+        check(cudaGraphAddKernelNode(&node, chain.graph, before, k > 0 ? 1 : 0, &kernel), "cannot add a kernel");
+        chain.nodes.push_back(node);
+    }
+    check(cudaGraphInstantiate(&chain.executable, chain.graph, 0), "cannot make a graph");
+    return chain;
+}
+
+void LaunchQueue::forgetChains()
+{
+    check(cudaStreamSynchronize(stream_), "a kernel failed");
+    for (const auto& [kernels, chain] : chains_)
+    {
+        cudaGraphExecDestroy(chain.executable);
+        cudaGraphDestroy(chain.graph);
+    }
+    chains_.clear();
+}
+
+LaunchQueue& launchQueue()
+{
+    static LaunchQueue& queue = *new LaunchQueue;
+    return queue;
+}
+
+}
