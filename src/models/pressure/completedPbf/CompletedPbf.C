@@ -17,7 +17,7 @@
 // difference is the particle's disorder, and e_i orders the particles: under suction, where the sum alone would let them clump,
 // and o times as strongly as the sum alone under pressure (doc/theory/completedPbf.md). Ordering is internal: what all e_i of a
 // step move and turn as a whole is taken back at its end (models/forces/NetMotion.H). So is what walls of one contact angle give along themselves: liquid does not slide by
-// itself where it wets alike everywhere.
+// itself where it wets alike everywhere. What an order of the particles would bear of shear is taken out once a step (OrderStress.H).
 //
 //     pressure    completedPbf;           // in constant/models
 //
