@@ -11,9 +11,11 @@
 #include "geometry/StlFile.H"
 #include "geometry/VectorField.H"
 #include "geometry/thetaModels/ThetaModel.H"
+#include "models/viscosity/XSPH/SmoothingShare.H"
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 namespace shizuku
 {
@@ -182,6 +184,7 @@ Scene Scene::read(const fs::path& path, const fs::path& filled, const StoredStud
     }
     scene.maxCapillaryCo = time.controlDict().lookupOr("maxCapillaryCo", 0.3);
     scene.smoothing = models.subDictOrEmpty("XSPHCoeffs").lookupOr("c", 0.05);
+    scene.smoothingPerCapillaryStep = models.subDictOrEmpty("XSPHCoeffs").lookupOr("perCapillaryStep", 0.0);
     scene.support = solution.subDictOrEmpty("kernel").lookupOr("support", 2.0);
     scene.maxIterations = solution.subDictOrEmpty("pressure").lookupOr("maxIterations", 0);
     scene.refillable = fs::exists(path/"system/fillLiquidDict");
@@ -300,8 +303,9 @@ double Scene::modelViscosity() const
 {
     const std::string& model = models.at("viscosity");
     const double h = support*spacing;
-    if (model == "XSPH") return smoothing*3/40*h*h/(2*subStep);
-    return model == "none" ? 0 : viscosity;
+    if (model != "XSPH") return model == "none" ? 0 : viscosity;
+    const double steps = subStep*std::sqrt(2*std::numbers::pi*surfaceTension/(density*std::pow(spacing, 3)));
+    return smoothingShare(smoothing, smoothingPerCapillaryStep, steps)*3/40*h*h/(2*subStep);
 }
 
 std::optional<CapStart> Scene::start(const SceneBody& body, double nu) const

@@ -151,6 +151,11 @@ TEST_F(RuleTest, viscosityInTheTimeOfTheRun)
     EXPECT_EQ(changes(ask("viscosity", 1e-3)), "");
     scene_.viscosity = smoothing*(1 + close);
     EXPECT_EQ(changes(ask("viscosity", 1e-3)), "viscosity=laminar");
+    // With a share of a capillary step, sqrt(1e-9/(2 pi 0.07)) s = 4.768e-5 s, of which this step is 0.4194: 1 - 0.5^0.4194 = 0.2523.
+    scene_.smoothingPerCapillaryStep = 0.5;
+    EXPECT_NEAR(scene_.modelViscosity(), smoothing*0.2523/0.2, 1e-4*smoothing);
+    scene_.smoothingPerCapillaryStep = 0.3;             // 0.139, less than c
+    EXPECT_NEAR(scene_.modelViscosity(), smoothing, 1e-12);
     scene_.duration = 1e-6;
     EXPECT_EQ(changes(ask("viscosity", 1e-3)), "viscosity=none");
 }

@@ -11,9 +11,7 @@
 //     XSPHCoeffs  { c 0.05; perCapillaryStep 0; noSlip yes; }
 
 #include "models/viscosity/Viscosity.H"
-
-#include <algorithm>
-#include <cmath>
+#include "models/viscosity/XSPH/SmoothingShare.H"
 
 namespace shizuku
 {
@@ -89,8 +87,7 @@ private:
         throw FatalInputError(coeffs.where(entry), "Coefficient " + entry + " is out of range", "0 to 1");
     }
 
-    // Of a step.
-    float share(float dt) const { return std::max(c_, 1 - std::pow(1 - perCapillaryStep_, dt / capillaryStep_)); }
+    float share(float dt) const { return float(smoothingShare(c_, perCapillaryStep_, dt / capillaryStep_)); }
 
     float c_, perCapillaryStep_;
     bool noSlip_;
