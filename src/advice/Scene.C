@@ -12,10 +12,10 @@
 #include "geometry/VectorField.H"
 #include "geometry/thetaModels/ThetaModel.H"
 #include "models/viscosity/XSPH/SmoothingShare.H"
+#include "reference/CapillaryStep.H"
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 
 namespace shizuku
 {
@@ -304,7 +304,7 @@ double Scene::modelViscosity() const
     const std::string& model = models.at("viscosity");
     const double h = support*spacing;
     if (model != "XSPH") return model == "none" ? 0 : viscosity;
-    const double steps = subStep*std::sqrt(2*std::numbers::pi*surfaceTension/(density*std::pow(spacing, 3)));
+    const double steps = subStep/capillaryStep(density*std::pow(spacing, 3), surfaceTension);
     return smoothingShare(smoothing, smoothingPerCapillaryStep, steps)*3/40*h*h/(2*subStep);
 }
 

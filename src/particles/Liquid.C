@@ -2,9 +2,9 @@
 
 #include "maths/Lattice.H"
 #include "particles/ParticleFiles.H"
+#include "reference/CapillaryStep.H"
 
 #include <cmath>
-#include <numbers>
 
 namespace shizuku
 {
@@ -28,7 +28,7 @@ double LiquidProperties::characteristicTime() const
 
 double LiquidProperties::capillaryStep() const
 {
-    return std::sqrt(particleMass() / (2 * std::numbers::pi * surfaceTension));
+    return shizuku::capillaryStep(particleMass(), surfaceTension);
 }
 
 Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)

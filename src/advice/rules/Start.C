@@ -30,7 +30,8 @@ public:
         {
             const auto cap = scene.start(body, viscosity);
             if (!cap) continue;
-            const double energy = jumpOff(*cap).start/jumpOff(*cap).free;
+            const JumpOff jump = jumpOff(*cap);
+            const double energy = jump.start/jump.free;
             if (worst && energy <= most) continue;
             worst = &body;
             most = energy;
