@@ -34,7 +34,9 @@ set(SHIZUKU_DEVICE_SOURCES
     models/pressure/DFSPH/DFSPH.C
     models/pressure/PCISPH/PCISPH.C
     models/pressure/WCSPH/WCSPH.C
+    models/pressure/completedPbf/CoarseCorrection.C
     models/pressure/completedPbf/CompletedPbf.C
+    models/pressure/completedPbf/GridPoisson.C
     models/pressure/idealGas/IdealGas.C
     models/pressure/pbf/Pbf.C
     models/surfaceTension/SurfaceTension.C

@@ -23,7 +23,9 @@ set(SHIZUKU_DEVICE_TESTS
     models/pressure/PCISPH/TestPCISPH.C
     models/pressure/TestMomentum.C
     models/pressure/WCSPH/TestWCSPH.C
+    models/pressure/completedPbf/TestCoarseCorrection.C
     models/pressure/completedPbf/TestCompletedPbf.C
+    models/pressure/completedPbf/TestGridPoisson.C
     models/pressure/completedPbf/TestOrderStress.C
     models/pressure/idealGas/TestIdealGas.C
     models/pressure/pbf/TestPbf.C

@@ -4,7 +4,7 @@
 //
 // The simulated time and the milliseconds since the row before, without those of the tables that were written with it: to
 // be had each step and written with the fields, as is the default. The first step, which loads code and allocates memory,
-// has a row like any other: benchmarks leave it out as warm-up.
+// has a row like any other: benchmarks leave it out as warm-up. What is read and checked before it is no step.
 
 #include "core/fieldFile/CsvFile.H"
 #include "functionObjects/FunctionObject.H"
@@ -22,8 +22,16 @@ class StepTime : public FunctionObject
 public:
     StepTime(const Dictionary&, const FunctionSetting& setting)
     :
-        table_(setting.folder / "stepTime.csv", {{"time", "s"}, {"wall", "ms"}}), last_(Clock::now())
+        table_(setting.folder / "stepTime.csv", {{"time", "s"}, {"wall", "ms"}})
     {}
+
+    // Not what was read and checked before.
+    void modelsMade(FlowView&) override
+    {
+        if (begun_) return;
+        begun_ = true;
+        last_ = Clock::now();
+    }
 
     // The speeds were read off the device: the step is complete.
     void execute(FlowView& flow) override
@@ -47,6 +55,7 @@ private:
 
     CsvFile table_;
     Clock::time_point last_;
+    bool begun_ = false;
 };
 
 const FunctionObjectTable::Add<StepTime> registered{"stepTime"};

@@ -26,13 +26,17 @@
 //     pressure
 //     {
 //         ordering        1.4;            // o, from 1 to 4
+//         coarseGrid      no;             // yes: takes compression out over the whole depth at once (CoarseCorrection.H)
 //     }
+//
+// With coarseGrid the first half of the iterations that are allowed also correct on a grid; the others even out what it leaves.
 //
 // maxIterations is meant for steps up to the capillary one sqrt(rho d^3/(2 pi sigma)); a longer one, which moves particles
 // farther, may make more towards the tolerance, by the root of how much longer it is. Trials: doc/theory/completedPbf.md.
 
 #include "freeSurface/FreeSurface.H"
 #include "models/pressure/Pressure.H"
+#include "models/pressure/completedPbf/CoarseCorrection.H"
 #include "models/pressure/completedPbf/OrderStress.H"
 #include "models/pressure/shared/PressureControls.H"
 #include "models/pressure/shared/PressureField.H"
@@ -136,6 +140,7 @@ public:
         capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
     {
         refuseIf(!(ordering_ >= 1 && ordering_ <= 4), controls, "ordering", "1 to 4");
+        if (controls.lookupOr("coarseGrid", false)) coarse_.emplace(liquid);
         if (!surface.active()) surface.require(liquid, walls, FreeSurface::usualSupport, 0);
     }
 
@@ -177,6 +182,8 @@ public:
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
         ++iterations_;
+        if (coarse_ && iterations_ == 1) coarse_->begin(liquid, surface_);
+        if (coarse_ && iterations_ <= (limits_.maxIterations + 1) / 2) coarse_->apply(liquid);
         if (iterations_ == 1)
         {
             displace(liquid, near, walls, stress(liquid));
@@ -273,6 +280,7 @@ private:
     Buffer<Vec3> stress_, shear_;           // of the first iteration
     Buffer<Vec3> push_, order_, total_;     // empty: order_ with one contact angle, both where walls hold in all directions
     SteadyIterations steady_;
+    std::optional<CoarseCorrection> coarse_;
 };
 
 const PressureTable::Add<CompletedPbf> registered{"completedPbf"};

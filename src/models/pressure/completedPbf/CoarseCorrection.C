@@ -1,0 +1,297 @@
+#include "models/pressure/completedPbf/CoarseCorrection.H"
+
+#include "device/ForEach.H"
+#include "device/Reduce.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr float spacings = 2;               // a cell's width
+constexpr float mostError = 0.1f;           // of C_i: more are particles pressed against a wall, less are spray
+constexpr float tolerated = 0.01f;          // of a cell's mean: noise that would make calm liquid boil
+constexpr float spray = 0.7f;               // density below which a particle is on its own
+constexpr float crowded = 1.2f;             // density above which the colour shows where particles are pressed together, not the surface
+constexpr float atSurface = 2.5f;           // spacings below the surface, of those who know where it is
+constexpr float closedBelow = 0.3f;         // cells below the surface: more than half a spacing, so that every surface has closed nodes
+
+struct DeepInside
+{
+    Span<const std::uint32_t> place;        // FreeSurfaceView
+    Span<const Vec3> x;
+
+    HOST_DEVICE PointBounds operator()(int i) const
+    {
+        if (place[i + 1] != place[i]) return {};
+        return {x[i], x[i]};
+    }
+};
+
+// The particles of one cell of the box: visit(j) for each of them. Others that share its place in the grid are far away.
+struct ParticlesOfCell
+{
+    CellGridView grid;
+    CoarseBox box;
+    Span<const std::uint32_t> order;        // as they lie in the grid
+    Span<const Vec3> x;
+
+    template<class Visit>
+    HOST_DEVICE void forEach(int cell, Visit visit) const
+    {
+        const GridBox::Place at = box.cellAt(cell);
+        const int cx = at.x + box.lowX, cy = at.y + box.lowY, cz = at.z + box.lowZ;
+        const Vec3 centre = box.width * Vec3{float(cx) + 0.5f, float(cy) + 0.5f, float(cz) + 0.5f};
+        const float far = 2.5f * box.width;             // they may have moved since they were sorted
+        grid.forEachRangeOfCell(cx, cy, cz, [&](int first, int end)
+        {
+            for (int k = first; k < end; ++k)
+            {
+                const int j = int(order[k]);
+                if (squared(x[j] - centre) < far * far) visit(j);
+            }
+        });
+    }
+};
+
+struct SumShape
+{
+    ParticlesOfCell particles;
+    float part;                             // of a cell that a particle fills
+    float spacing;
+    FreeSurfaceView surface;
+    Span<const float> density;
+    Span<float> fill, surfaceFill, surfaceDepth;
+    Span<Vec3> normal;
+
+    HOST_DEVICE void operator()(int cell) const
+    {
+        float filled = 0, known = 0, depth = 0;
+        Vec3 into;
+        particles.forEach(cell, [&](int j)
+        {
+            filled += part;
+            if (density[j] < spray)
+            {
+                known += part;
+                depth -= part * particles.box.width;
+                return;
+            }
+            const SurfaceState state = surface(j);
+            if (state.depth >= atSurface * spacing || density[j] > crowded) return;
+            const Vec3 m = 1 / fmaxf(norm(state.gradient), 1e-20f) * state.gradient;
+            known += part;
+            into += part * m;
+            depth += part * (state.depth - dot(particles.x[j], m));
+        });
+        fill[cell] = filled;
+        surfaceFill[cell] = known;
+        surfaceDepth[cell] = depth;
+        normal[cell] = into;
+    }
+};
+
+struct OpenNodes
+{
+    CoarseBox box;
+    Span<const float> surfaceFill, surfaceDepth;
+    Span<const Vec3> normal;
+    Span<std::uint8_t> open;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const GridBox::Place at = box.nodeAt(i);
+        const Vec3 x = box.width * Vec3{float(at.x + box.lowX), float(at.y + box.lowY), float(at.z + box.lowZ)};
+        float known = 0, depth = 0;
+        Vec3 into;
+        box.forEachCellAround(at, [&](int cell, int, int, int)
+        {
+            known += surfaceFill[cell];
+            depth += surfaceDepth[cell];
+            into += normal[cell];
+        });
+        open[i] = known == 0 || depth + dot(x, into) > closedBelow * box.width * known;
+    }
+};
+
+struct SumError
+{
+    ParticlesOfCell particles;
+    float part;
+    Span<const float> density;
+    Span<float> error;
+
+    HOST_DEVICE void operator()(int cell) const
+    {
+        float sum = 0, filled = 0;
+        particles.forEach(cell, [&](int j)
+        {
+            sum += part * fminf(fmaxf(density[j] - 1, -mostError), mostError);
+            filled += part;
+        });
+        const float borne = tolerated * filled;
+        error[cell] = sum > borne ? sum - borne : fminf(sum + borne, 0);
+    }
+};
+
+struct SourceOfNodes
+{
+    CoarseBox box;
+    Span<const float> error;
+    Span<const std::uint8_t> open;
+    Span<float> source;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        float sum = 0;
+        box.forEachCellAround(box.nodeAt(i), [&](int cell, int, int, int) { sum += error[cell]; });
+        source[i] = open[i] ? 0.125f * box.width * box.width * sum : 0;
+    }
+};
+
+struct GradientOfCells
+{
+    CoarseBox box;
+    Span<const float> q;
+    Span<Vec3> gradient;
+
+    HOST_DEVICE void operator()(int cell) const
+    {
+        const GridBox::Place at = box.cellAt(cell);
+        Vec3 sum;
+        for (int c = 0; c < 2; ++c)
+        for (int b = 0; b < 2; ++b)
+        for (int a = 0; a < 2; ++a)
+        {
+            sum += q[box.node(at.x + a, at.y + b, at.z + c)] * Vec3{float(2 * a - 1), float(2 * b - 1), float(2 * c - 1)};
+        }
+        gradient[cell] = 0.25f / box.width * sum;
+    }
+};
+
+// Of the liquid around each node, and whether there is any.
+struct GradientOfNodes
+{
+    CoarseBox box;
+    Span<const float> fill;
+    Span<const Vec3> ofCells;
+    Span<Vec3> gradient;
+    Span<float> known;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        float weight = 0;
+        Vec3 sum;
+        box.forEachCellAround(box.nodeAt(i), [&](int cell, int, int, int)
+        {
+            weight += fill[cell];
+            sum += fill[cell] * ofCells[cell];
+        });
+        gradient[i] = weight > 0 ? 1 / weight * sum : Vec3{};
+        known[i] = weight > 0 ? 1 : 0;
+    }
+};
+
+// Particles that have left the cells with liquid, or the box, move as the nodes do that are next to them.
+struct MoveApart
+{
+    CoarseBox box;
+    float most;
+    Span<const Vec3> gradient;
+    Span<const float> known;
+    Span<Vec3> predicted;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        constexpr float left = 2;               // cells outside of the box
+        const Vec3 place = 1 / box.width * predicted[i] - Vec3{float(box.lowX), float(box.lowY), float(box.lowZ)};
+        const Vec3 in{fminf(fmaxf(place.x, 0), float(box.x)), fminf(fmaxf(place.y, 0), float(box.y)), fminf(fmaxf(place.z, 0), float(box.z))};
+        if (!(squared(place - in) < left * left)) return;
+        const auto cellOf = [](float at, int cells) { const int cell = int(at); return cell < cells ? cell : cells - 1; };
+        const int x = cellOf(in.x, box.x), y = cellOf(in.y, box.y), z = cellOf(in.z, box.z);
+        const Vec3 high = in - Vec3{float(x), float(y), float(z)};
+        float weights = 0;
+        Vec3 sum;
+        for (int c = 0; c < 2; ++c)
+        for (int b = 0; b < 2; ++b)
+        for (int a = 0; a < 2; ++a)
+        {
+            const int node = box.node(x + a, y + b, z + c);
+            const float weight = known[node] * (a ? high.x : 1 - high.x) * (b ? high.y : 1 - high.y) * (c ? high.z : 1 - high.z);
+            weights += weight;
+            sum += weight * gradient[node];
+        }
+        if (weights == 0) return;
+        sum = 1 / weights * sum;
+        const float far = norm(sum);
+        predicted[i] -= (far > most ? most / far : 1) * sum;
+    }
+};
+
+}
+
+CoarseCorrection::CoarseCorrection(const Liquid& liquid) : grid_(spacings * liquid.spacing()) {}
+
+void CoarseCorrection::begin(const Liquid& liquid, const FreeSurface& surface)
+{
+    box_ = {};
+    const Span<const Vec3> x = liquid.predicted.span();
+    const FreeSurfaceView view = surface.view();
+    const PointBounds bounds = reduce(liquid.owned(), DeepInside{view.place, x}, scratch_);
+    if (bounds.low.x > bounds.high.x) return;
+
+    // As far as liquid can be around those deep inside.
+    const float width = spacings * liquid.spacing(), around = liquid.support();
+    const auto cellOf = [&](float at) { return int(std::floor(at / width)); };
+    CoarseBox box;
+    box.width = width;
+    box.lowX = cellOf(bounds.low.x - around);
+    box.lowY = cellOf(bounds.low.y - around);
+    box.lowZ = cellOf(bounds.low.z - around);
+    box.x = cellOf(bounds.high.x + around) - box.lowX + 1;
+    box.y = cellOf(bounds.high.y + around) - box.lowY + 1;
+    box.z = cellOf(bounds.high.z + around) - box.lowZ + 1;
+    constexpr double most = 1 << 26;        // cells
+    if (double(box.x) * box.y * box.z > most) return;
+    box_ = box;
+    order_ = grid_.build(x, liquid.owned());
+
+    fill_.resizeDiscarding(box.cells());
+    surfaceFill_.resizeDiscarding(box.cells());
+    surfaceDepth_.resizeDiscarding(box.cells());
+    ofCells_.resizeDiscarding(box.cells());
+    open_.resizeDiscarding(box.nodes());
+    const float part = liquid.particleVolume() / (width * width * width);
+    forEach(box.cells(), SumShape
+    {
+        {grid_.view(), box, order_.span(), x}, part, liquid.spacing(), view, liquid.density.span(), fill_.span(), surfaceFill_.span(),
+        surfaceDepth_.span(), ofCells_.span()
+    });
+    forEach(box.nodes(), OpenNodes{box, surfaceFill_.span(), surfaceDepth_.span(), ofCells_.span(), open_.span()});
+    poisson_.begin(box, fill_, open_);
+}
+
+void CoarseCorrection::apply(Liquid& liquid)
+{
+    if (box_.cells() == 0) return;
+    constexpr int cycles = 2;
+    error_.resizeDiscarding(box_.cells());
+    ofNodes_.resizeDiscarding(box_.nodes());
+    known_.resizeDiscarding(box_.nodes());
+    const float part = liquid.particleVolume() / (box_.width * box_.width * box_.width);
+    forEach(box_.cells(), SumError
+    {
+        {grid_.view(), box_, order_.span(), liquid.predicted.span()}, part, liquid.density.span(), error_.span()
+    });
+    forEach(box_.nodes(), SourceOfNodes{box_, error_.span(), open_.span(), poisson_.source()});
+    poisson_.solve(cycles);
+    forEach(box_.cells(), GradientOfCells{box_, poisson_.solution(), ofCells_.span()});
+    forEach(box_.nodes(), GradientOfNodes{box_, fill_.span(), ofCells_.span(), ofNodes_.span(), known_.span()});
+    forEach(liquid.owned(), MoveApart{box_, liquid.spacing(), ofNodes_.span(), known_.span(), liquid.predicted.span()});
+}
+
+}
