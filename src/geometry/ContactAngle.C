@@ -106,6 +106,20 @@ std::optional<SphereFit> fitCap
     return outward > 0 ? sphere : std::nullopt;
 }
 
+// Its mean distance from its middle.
+double radiusOf(const std::vector<LineTangent>& line)
+{
+    Vector3 middle;
+    double total = 0, radius = 0;
+    for (const LineTangent& tangent : line)
+    {
+        middle += tangent.length*tangent.point;
+        total += tangent.length;
+    }
+    for (const LineTangent& tangent : line) radius += tangent.length*length(tangent.point - middle/total);
+    return radius/total;
+}
+
 // The part of the direction along the wall under the contact line; zero where that is hardly any.
 Vector3 alongWall(const Vector3& direction, const std::vector<LineTangent>& line, const WallShape& wall)
 {
@@ -118,8 +132,9 @@ Vector3 alongWall(const Vector3& direction, const std::vector<LineTangent>& line
 
 void summarise(ContactAngle& result, const WallShape& wall, const Vector3& direction)
 {
-    result.mean = result.min = result.max = result.advancing = result.receding = none;
+    result.mean = result.min = result.max = result.advancing = result.receding = result.lineRadius = none;
     if (result.line.empty()) return;
+    result.lineRadius = radiusOf(result.line);
     double sum = 0, total = 0;
     for (const LineTangent& tangent : result.line)
     {

@@ -18,7 +18,7 @@ CsvFile dropTable(const std::filesystem::path& file)
             {"volumeDrift", "%"}, {"volumeDriftSinceFirst", "%"},
             {"centroidX", "m"}, {"centroidY", "m"}, {"centroidZ", "m"}, {"residual", "spacings"},
             {"tangentMean", "deg"}, {"tangentMin", "deg"}, {"tangentMax", "deg"}, {"advancing", "deg"}, {"receding", "deg"},
-            {"capillaryLength", "m"}, {"sigma", "N/m"}
+            {"capillaryLength", "m"}, {"sigma", "N/m"}, {"lineRadius", "m"}
         }
     );
 }
@@ -33,7 +33,7 @@ void addRow(CsvFile& table, const DropRecord& record)
         100*record.particleDrift, 100*record.firstDrift,
         record.centroid.x, record.centroid.y, record.centroid.z, shape.residual,
         shape.mean, shape.min, shape.max, shape.advancing, shape.receding,
-        record.capillaryLength, record.sigma
+        record.capillaryLength, record.sigma, shape.lineRadius
     });
 }
 
@@ -85,7 +85,9 @@ std::string report(const DropRecord& record, const std::string& wall)
         const char* const reason = shape.state == DropState::film ? "a film" : "off the wall";
         line("measured angle") << "none, the drop is " << reason << '\n';
     }
-    line("contact radius") << fixed(1e3*shape.contactRadius, 4) << " mm\n";
+    line("contact radius") << fixed(1e3*shape.contactRadius, 4) << " mm";
+    if (!std::isnan(shape.lineRadius)) out << ", of the line by its tangents " << fixed(1e3*shape.lineRadius, 4) << " mm";
+    out << '\n';
     line("height") << fixed(1e3*shape.height, 4) << " mm\n";
     line("covered area") << fixed(1e6*shape.coveredArea, 4) << " mm2\n";
     line("volume") << fixed(1e9*record.volume, 4) << " mm3\n";

@@ -135,11 +135,13 @@ TEST_F(DropCase, ProbeAngleFitsTheSurfaceTensionUnderGravity)
         return table("postProcessing/probeAngle/0/angle.csv").at(0);
     };
     writeTime("0", {drop(90)});
-    writePly(path()/"0/surface/liquid.ply", revolvedMesh(bashforthAdamsOfVolume(volume, l, 80, 101), 0.5*spacing));
+    const DropProfile profile = bashforthAdamsOfVolume(volume, l, 80, 101);
+    writePly(path()/"0/surface/liquid.ply", revolvedMesh(profile, 0.5*spacing));
     const auto upright = measure("(0 0 -10)");
     EXPECT_NEAR(number(upright.at("capillaryLength"))/l, 1, 0.01);
     EXPECT_NEAR(number(upright.at("sigma"))/(1000*10*l*l), 1, 0.02);
     EXPECT_NEAR(number(upright.at("tangentMean")), 80, 2);
+    EXPECT_NEAR(number(upright.at("lineRadius")), profile.contactRadius(), 0.1*spacing);
     EXPECT_EQ(upright.at("advancing"), "nan");                  // the wall is no slope
     // Neither on a slope nor below a ceiling is the drop axisymmetric about the wall's normal and standing.
     const auto slope = measure("(5 0 -8)");

@@ -1,8 +1,9 @@
 // type gravityDrop;  theta 60;  within 2;
-// Height and largest radius of a drop on the wall z = 0 under gravity against the profile of Bashforth and Adams of its
+// Height and contact radius of a drop on the wall z = 0 under gravity against the profile of Bashforth and Adams of its
 // volume, in percent, and the surface tension by the profile that fits it best, which is asked of drops that are as large
-// as the capillary length. The radius is that of the drop seen from above: the contact radius up to 90 degrees. Measured
-// on the mesh of the latest time. profile.csv holds the measured outline, radius by height, beside the exact one.
+// as the capillary length. The contact radius is where the surface's tangents meet the wall: the mesh's foot is rounded, by 0.4
+// spacings. Of a drop that overhangs the largest radius as well, as it is seen from above. Measured on the mesh of the latest
+// time. profile.csv holds the measured outline, radius by height, beside the exact one.
 
 #include "Comparison.H"
 #include "core/fieldFile/CsvFile.H"
@@ -37,7 +38,8 @@ public:
         return
         {
             relativeRow("height", "m", exact.height(), height, within_),
-            relativeRow("largest radius", "m", widest, radius, within_),
+            relativeRow("contact radius", "m", exact.contactRadius(), drops.number(last, "lineRadius"), within_),
+            relativeRow("largest radius", "m", widest, radius, theta_ > 90 ? within_ : std::nan("")),
             relativeRow("surface tension", "N/m", results.sigma, drops.number(last, "sigma"), sigmaWithin),
             relativeRow("height of a puddle", "m", 2*l*std::sin(theta_*std::numbers::pi/360), height, std::nan(""))
         };
