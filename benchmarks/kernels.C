@@ -99,11 +99,14 @@ struct StoreWideSum
     NeighbourSearch wide;
     Span<float> sum;
 
-    HOST_DEVICE void operator()(int i, Team team) const
+    HOST_DEVICE void operator()(Group particles, Team team) const
     {
-        Team::Float values{};
-        wide.forEach(i, [&](auto, auto r) { values += W.W(norm(r)); }, team);
-        sum[i] = team.sum(values);
+        GroupOfParticles group{{}, particles.members()};
+        for (int p = 0; p < Group::most; ++p) group.index[p] = particles[p];
+        Team::Float values[Group::most] = {};
+        wide.forEach(group, [](auto) { return 0; }, [&](int p, int, auto r) { values[p] += W.W(norm(r)); }, team);
+        const float found = team.sums(values);
+        if (team.lane < particles.size) sum[particles.first + team.lane] = found;
     }
 };
 
@@ -114,7 +117,7 @@ void wideSum(benchmark::State& state)
     const WendlandC2 W(2 * liquid.support());
     block.near.update(liquid, W.h);
     Buffer<float> sum(liquid.owned());
-    for (auto _ : state) forEachTeam(liquid.owned(), StoreWideSum{W, block.near.wide(liquid), sum.span()});
+    for (auto _ : state) forEachGroup(liquid.owned(), StoreWideSum{W, block.near.wide(liquid), sum.span()});
     block.report(state);
 }
 

@@ -1,6 +1,7 @@
 #include "freeSurface/FreeSurface.H"
 
 #include "device/Algorithms.H"
+#include "device/Holds.H"
 #include "maths/Lattice.H"
 
 #include <algorithm>
@@ -34,32 +35,38 @@ struct SumColour
     WendlandC2 W;
     float volume;                           // V/S
     NeighbourSearch wide;
-    Span<const std::uint32_t> place;
+    Span<const std::uint32_t> selected;
     Span<float> colour;
     Span<Vec3> gradient;
 
-    HOST_DEVICE void operator()(int i, Team team) const
+    HOST_DEVICE void operator()(Group places, Team team) const
     {
-        Team::Float values{};
-        Team::Vector slopes;
-        wide.forEach(i, [&](auto, auto r)
+        GroupOfParticles group;
+        group.members = places.members();
+        #pragma unroll
+        for (int p = 0; p < Group::most; ++p) group.index[p] = int(selected[places[p]]);
+        Team::Float values[Group::most] = {};
+        Team::Vector slopes[Group::most];
+        wide.forEach(group, [](auto) { return 0; }, [&](int p, int, auto r)
         {
             const auto distance = norm(r);
-            values += W.W(distance);
-            slopes += W.g(distance) * r;
+            values[p] += W.W(distance);
+            slopes[p] += W.g(distance) * r;
         }, team);
-        const float sum = team.sum(values);
-        const Vec3 G = team.sum(slopes);
-        if (!team.first()) return;
-        const int k = int(place[i]);
+        const float sum = team.sums(values);
+        const Vec3 G = team.sums(slopes);
+        if (team.lane >= places.size) return;
+        const int k = places.first + team.lane;
         colour[k] = volume * (W.W(0) + sum);
         gradient[k] = volume * G;
     }
 };
 
-// Adds the walls, and reads the depth.
+// Adds the walls, and reads the depth. The lanes of a team share what is tried at contact lines.
 struct Reconstruct
 {
+    static constexpr Holds holds = Holds::much;
+
     WendlandC2 W;
     Span<const Vec3> x;
     WallCompletion completion;
@@ -72,14 +79,15 @@ struct Reconstruct
     Span<ContactLine> contact;
     Span<float> lowestPressure;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, Team team) const
     {
         const int k = int(place[i]);
         const Vec3 xi = x[i];
         float colour = depth[k];
         Vec3 G = gradient[k];
-        const ContactLine line = findContact(i, xi, colour, G);
-        const auto wall = completion(i, xi, line);
+        const ContactLine line = findContact(i, xi, colour, G, team);
+        const auto wall = completion(i, xi, line, team);
+        if (!team.first()) return;
         colour += wall.value;
         G += wall.gradient;
         contact[k] = line;
@@ -89,7 +97,7 @@ struct Reconstruct
     }
 
 private:
-    HOST_DEVICE ContactLine findContact(int i, Vec3 xi, float colour, Vec3 G) const
+    HOST_DEVICE ContactLine findContact(int i, Vec3 xi, float colour, Vec3 G, Team team) const
     {
         ContactLine line;
         Vec3 normal;
@@ -102,7 +110,7 @@ private:
             cosine = wall.cosTheta;
             line.wall = a;
         });
-        if (line.wall < 0) return line;
+        if (!team.anyBeside(line.wall >= 0)) return line;
 
         line.theta = acosf(fminf(fmaxf(cosine, -1), 1));
 
@@ -122,14 +130,17 @@ private:
         const Vec3 along = G - dot(G, normal) * normal;
         const float slope = norm(along);
         line.tangent = -1 / fmaxf(slope, 1e-20f) * along;
-        line.depth = depthBelow(colour, slope, nearest / W.h, line.theta);
+        line.depth = depthBelow(colour, slope, nearest / W.h, line.theta, team);
         const WallSurfacesView& surfaces = completion.walls.surfaces;
-        if (line.wall < surfaces.count && surfaces.surface[line.wall].type != WallSurface::plane)
+        const bool any = line.wall >= 0;
+        const bool bent = any && line.wall < surfaces.count && surfaces.surface[line.wall].type != WallSurface::plane;
+        if (team.anyBeside(bent))
         {
-            line.theta = angleFromAfar(surfaces.surface[line.wall], xi, nearest, normal, line);
-            line.depth = depthBelow(colour, slope, nearest / W.h, line.theta);
+            if (bent) line.theta = angleFromAfar(surfaces.surface[line.wall], xi, nearest, normal, line);
+            const float depth = depthBelow(colour, slope, nearest / W.h, line.theta, team);
+            if (bent) line.depth = depth;
         }
-        return line;
+        return any ? line : ContactLine{};
     }
 
     // The angle at which the interface, at its contact angle to the wall where it meets it, meets the tangent plane of the
@@ -149,7 +160,7 @@ private:
 
     // The depth at which a planar interface that meets the wall at theta would leave that much colour, and that slope of it
     // along the wall, to the liquid in front of the wall: least squares of both, each over its largest value.
-    HOST_DEVICE float depthBelow(float colour, float slope, float z, float theta) const
+    HOST_DEVICE float depthBelow(float colour, float slope, float z, float theta, Team team) const
     {
         const float sine = sinf(theta);
         const auto misfit = [&](float s)
@@ -161,30 +172,36 @@ private:
             return c * c + g * g;
         };
         constexpr int trials = 12;
-        float best = -W.h, least = misfit(best);
-        for (int k = 1; k <= trials; ++k)
+        Team::Least best{1e30f, 0};
+        for (int k = team.lane; k <= trials; k += team.width)
         {
             const float s = (2 * float(k) / trials - 1) * W.h, here = misfit(s);
-            if (here >= least) continue;
-            least = here;
-            best = s;
+            if (here < best.value) best = {here, s};
         }
+        best = team.least(best);
         constexpr float finest = 0.01f;
         float step = W.h / trials;
         for (; step > finest * W.h; step *= 0.5f)
         {
-            for (const float s : {best - step, best + step})
+            Team::Least next = best;
+            for (int side = team.lane; side < 2; side += team.width)
             {
-                const float here = s <= W.h ? misfit(s) : least;
-                if (here >= least) continue;
-                least = here;
-                best = s;
+                const float s = best.at + (side == 0 ? -step : step), here = s <= W.h ? misfit(s) : best.value;
+                if (here < next.value) next = {here, s};
             }
+            best = team.least(next);
         }
         // The lowest point of a parabola: a depth that moves in steps makes the contact line tremble.
-        const float before = misfit(best - step), after = misfit(best + step), bend = before + after - 2 * least;
+        float before = 0, after = 0;
+        for (int side = team.lane; side < 2; side += team.width)
+        {
+            (side == 0 ? before : after) = misfit(best.at + (side == 0 ? -step : step));
+        }
+        before = team.sum(before);
+        after = team.sum(after);
+        const float bend = before + after - 2 * best.value;
         const float lowest = bend > 0 ? 0.5f * (before - after) / bend : 0;
-        return best + fminf(fmaxf(lowest, -1), 1) * step;
+        return best.at + fminf(fmaxf(lowest, -1), 1) * step;
     }
 
     HOST_DEVICE float depthOf(float ratio) const
@@ -254,11 +271,11 @@ void FreeSurface::update(const Liquid& liquid, const Neighbourhood& near, const 
     contact_.resizeDiscarding(n);
     lowestPressure_.resizeDiscarding(n);
     const Span<const std::uint32_t> place = particles_.before.span();
-    forEachTeam(particles_, SumColour
+    forEachGroup(particles_, SumColour
     {
-        *kernel_, liquid.particleVolume() / latticeSum_, near.wide(liquid), place, depth_.span(), gradient_.span()
+        *kernel_, liquid.particleVolume() / latticeSum_, near.wide(liquid), particles_.indices.span(), depth_.span(), gradient_.span()
     });
-    forEach(particles_, Reconstruct
+    forEachTeam(particles_, Reconstruct
     {
         *kernel_, liquid.predicted.span(), {extended_->view(), kernel_->h, walls.view()}, {plane_.span(), kernel_->h},
         depthOfRatio_.span(), largestRatio_, steepest_, suction_, place, gradient_.span(), depth_.span(), contact_.span(),

@@ -51,10 +51,10 @@ struct OrderInCells
     }
 };
 
-// Of as many cells as a search of that reach visits along an axis.
-std::uint32_t bitsOfSearch(float reach, float cell)
+// Of as many cells as a search of that reach visits along an axis, around points that are so many cells apart.
+std::uint32_t bitsOfSearch(float reach, float cell, int apart)
 {
-    const std::uint32_t mostVisited = std::uint32_t(2.01f * reach / cell) + 2;
+    const std::uint32_t mostVisited = std::uint32_t(2.01f * reach / cell) + 2 + std::uint32_t(apart);
     std::uint32_t bits = 1;
     while ((1u << bits) < mostVisited) ++bits;
     return bits;
@@ -64,8 +64,8 @@ std::uint32_t bitsOfSearch(float reach, float cell)
 
 CellGrid::CellGrid(float cellSize, float reach)
 :
-    cellSize_(cellSize), leastBits_(bitsOfSearch(reach, cellSize)),
-    leastBitsX_(bitsOfSearch(reach, cellSize / device::cellsInWidth))
+    cellSize_(cellSize), leastBits_(bitsOfSearch(reach, cellSize, 0)),
+    leastBitsX_(bitsOfSearch(reach, cellSize / device::cellsInWidth, CellGridView::mostApart))
 {}
 
 void CellGrid::chooseSize(int n)

@@ -1,6 +1,7 @@
 #include "neighbours/NeighbourList.H"
 
 #include "device/Algorithms.H"
+#include "neighbours/GroupSearch.H"
 
 #include <algorithm>
 #include <limits>
@@ -18,9 +19,48 @@ struct Search
     float support;
     bool sameSet;
 
-    // visit(j, whether it is a neighbour), for one j after the other; each lane takes its turn, as often as the others.
+#ifdef __CUDACC__
+
+    // visit(j) for every neighbour j of point i.
     template<class Visit>
-    HOST_DEVICE void forEachTurn(int i, Team team, Visit visit) const
+    HOST_DEVICE void forEach(int i, Visit visit) const
+    {
+        const Vec3 p = points[i];
+        const float support2 = support * support;
+        const int self = sameSet ? i : -1;
+        grid.forEachCandidate(AroundPoint{p, support}, [&](int j)
+        {
+            if (squared(p - sources[j]) < support2 && j != self) visit(j);
+        });
+    }
+
+    // visit(p, j, whether it is a neighbour of the group's p-th point), for one j after the other; each lane takes its turn, as often
+    // as the others.
+    template<class Visit>
+    HOST_DEVICE void forEachTurn(Group group, Team team, Visit visit) const
+    {
+        Vec3 at[Group::most];
+        #pragma unroll
+        for (int p = 0; p < Group::most; ++p) at[p] = points[group[p]];
+        const float support2 = support * support;
+        const int self = sameSet ? group.first : -Group::most;
+        searchTogether(grid, at, group.members(), support, [&](int j, bool counts, const auto& x)
+        {
+            const Vec3 source = sources[counts ? j : 0];
+            #pragma unroll
+            for (int p = 0; p < Group::most; ++p)
+            {
+                const bool isNear = squared(Vec3{x[p], at[p].y, at[p].z} - source) < support2;
+                visit(p, j, counts & isNear & (j != self + p));
+            }
+        }, team);
+    }
+
+#else
+
+    // visit(j, whether it is a neighbour) for several j after the others.
+    template<class Visit>
+    void forEachTurn(int i, Visit visit) const
     {
         const Vec3 p = points[i];
         const float support2 = support * support;
@@ -28,8 +68,10 @@ struct Search
         grid.forEachTurn(AroundPoint{p, support}, [&](auto j, int end)
         {
             visit(j, j < end && squared(p - sources[j]) < support2 && j != self);
-        }, team);
+        });
     }
+
+#endif
 };
 
 // Rows for each group's longest list; none where it has room.
@@ -54,6 +96,15 @@ struct LongestOfGroup
 
 #ifdef __CUDACC__
 
+// A thread a point where points fill a GPU, else a warp for a group of them.
+template<class F>
+void forEachPoint(int n, const F& f)
+{
+    constexpr int many = 1 << 16;
+    if (n > many) forEach(n, f);
+    else forEachGroup(n, f);
+}
+
 // Counts each particle's neighbours, and stores those that its group's room holds.
 struct FindNeighbours
 {
@@ -64,18 +115,42 @@ struct FindNeighbours
     Span<std::uint32_t> count, start, tooLong;
     Span<NeighbourRow> rows;
 
-    HOST_DEVICE void operator()(int i, Team team) const
+    HOST_DEVICE void operator()(int i) const
     {
-        constexpr int s = device::interleave;
-        NeighbourRow* const free = rows.data + std::size_t(i / s) * room;
+        NeighbourRow* const free = firstRow(i);
         int n = 0;
-        search.forEachTurn(i, team, [&](int j, bool isNear)
+        search.forEach(i, [&](int j)
+        {
+            if (n < room) free[n].of[i % device::interleave] = std::uint32_t(j);
+            ++n;
+        });
+        note(i, n);
+    }
+
+    HOST_DEVICE void operator()(Group group, Team team) const
+    {
+        constexpr int s = device::interleave;       // a multiple of a group
+        NeighbourRow* const free = firstRow(group.first);
+        int n[Group::most] = {};
+        search.forEachTurn(group, team, [&](int p, int j, bool isNear)
         {
             const Team::Place place = team.place(isNear);
-            if (isNear && n + place.before < room) free[n + place.before].of[i % s] = std::uint32_t(j);
-            n += place.all;
+            if (isNear & (n[p] + place.before < room)) free[n[p] + place.before].of[group.first % s + p] = std::uint32_t(j);
+            n[p] += place.all;
         });
         if (!team.first()) return;
+        #pragma unroll
+        for (int p = 0; p < Group::most; ++p)
+        {
+            if (p < group.size) note(group.first + p, n[p]);
+        }
+    }
+
+    HOST_DEVICE NeighbourRow* firstRow(int i) const { return rows.data + std::size_t(i / device::interleave) * room; }
+
+    HOST_DEVICE void note(int i, int n) const
+    {
+        constexpr int s = device::interleave;
         count[i] = std::uint32_t(n < most ? n : most);
         if (n > room) tooLong[0] = build;
         if (i % s == 0) start[i / s] = std::uint32_t(i / s) * std::uint32_t(room);
@@ -102,16 +177,26 @@ struct StoreNeighbours
     Span<const std::uint32_t> length, start;
     Span<NeighbourRow> rows;
 
-    HOST_DEVICE void operator()(int i, Team team) const
+    HOST_DEVICE void operator()(int i) const
     {
         constexpr int s = device::interleave;
         if (length[i / s] == 0) return;
         NeighbourRow* free = rows.data + start[i / s];
-        search.forEachTurn(i, team, [&](int j, bool isNear)
+        search.forEach(i, [&](int j) { (free++)->of[i % s] = std::uint32_t(j); });
+    }
+
+    HOST_DEVICE void operator()(Group group, Team team) const
+    {
+        constexpr int s = device::interleave;
+        const int part = group.first / s;
+        if (length[part] == 0) return;
+        NeighbourRow* const free = rows.data + start[part];
+        int n[Group::most] = {};
+        search.forEachTurn(group, team, [&](int p, int j, bool isNear)
         {
             const Team::Place place = team.place(isNear);
-            if (isNear) free[place.before].of[i % s] = std::uint32_t(j);
-            free += place.all;
+            if (isNear) free[n[p] + place.before].of[group.first % s + p] = std::uint32_t(j);
+            n[p] += place.all;
         });
     }
 };
@@ -134,7 +219,7 @@ struct FindNeighbours
         for (int i = part * partSize; i < std::min((part + 1) * partSize, count.size); ++i)
         {
             const std::size_t first = free;
-            search.forEachTurn(i, Team{}, [&](Consecutive j, Ints isNear)
+            search.forEachTurn(i, [&](Consecutive j, Ints isNear)
             {
                 if (lists.size() < free + 2 * device::batch) lists.resize(2 * (free + device::batch));
                 free += j.append(isNear, &lists[free]);
@@ -183,10 +268,11 @@ void NeighbourList::search(Span<const Vec3> points, int n, const CellGrid& grid,
         tooLong_.resize(1);
         tooLong_.setZero();
     }
-    find(points, n, grid, sources, sameSet, groups * room_, room_);
-    readTooLong_.ask(tooLong_);
-    asked_ = true;
-    if (longLists_) lengthen(points, n, grid, sources, sameSet);
+    constexpr int all = std::numeric_limits<int>::max();
+    asked_ = !longLists_;
+    find(points, n, grid, sources, sameSet, groups * room_, asked_ ? room_ : all);
+    if (asked_) readTooLong_.ask(tooLong_);
+    else storeLong(points, n, grid, sources, sameSet);
 }
 
 bool NeighbourList::cutOff()
@@ -206,7 +292,7 @@ void NeighbourList::find
         rows_.discard();
         rows_.resize(rows);
     }
-    forEachTeam(n, FindNeighbours
+    forEachPoint(n, FindNeighbours
     {
         {grid.view(), points, sources, support_, sameSet}, room_, most, builds_, count_.span(), start_.span(),
         tooLong_.span(), rows_.span()
@@ -217,18 +303,31 @@ void NeighbourList::lengthen(Span<const Vec3> points, int n, const CellGrid& gri
 {
     if (!cutOff()) return;
     asked_ = false;
-    const int groups = start_.size(), inRooms = groups * room_, all = std::numeric_limits<int>::max();
-    find(points, n, grid, sources, sameSet, inRooms, all);
+    find(points, n, grid, sources, sameSet, start_.size() * room_, std::numeric_limits<int>::max());
+    storeLong(points, n, grid, sources, sameSet);
+}
+
+// With all lists counted.
+void NeighbourList::storeLong(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
+{
+    const int groups = start_.size(), inRooms = groups * room_;
     groupLength_.resizeDiscarding(groups);
     forEach(groups, LongestOfGroup{count_.span(), std::uint32_t(room_), groupLength_.span()});
     const int behind = int(exclusiveScan(groupLength_, before_, "rows of neighbours"));
+    longLists_ = behind > 0;
+    if (!longLists_) return;
     if (rows_.size() - inRooms < behind)
     {
-        find(points, n, grid, sources, sameSet, inRooms + behind + std::max(behind / 4, inRooms / 64), all);
+        const int rows = inRooms + behind + std::max(behind / 4, inRooms / 64);
+        find(points, n, grid, sources, sameSet, rows, std::numeric_limits<int>::max());
     }
     forEach(groups, PlaceLongGroup{std::uint32_t(inRooms), groupLength_.span(), before_.span(), start_.span()});
     const Search search{grid.view(), points, sources, support_, sameSet};
-    forEachTeam(n, StoreNeighbours{search, groupLength_.span(), start_.span(), rows_.span()});
+    forEachPoint(n, StoreNeighbours{search, groupLength_.span(), start_.span(), rows_.span()});
+
+    // Of few points memory is little, and to wait for the sum of rows takes long.
+    constexpr int few = 1 << 17, more = 8, most = 60;
+    if (n <= few && room_ < most) room_ += more;
 }
 
 #else

@@ -49,11 +49,8 @@ struct FitPlane
         const auto come = [&](int k) { nearest = fminf(nearest, squared(xi - solid.position[k])); };
         solid.near.forEach(i, come, team);
         nearest = team.min(nearest);
-        if (nearest == most && around[int(grid.key(xi))])
-        {
-            grid.forEachCandidate(AroundPoint{xi, reach}, come, team);
-            nearest = team.min(nearest);
-        }
+        if (nearest == most && around[int(grid.key(xi))]) grid.forEachCandidate(AroundPoint{xi, reach}, come, team);
+        nearest = team.min(nearest);
         Vec3 direction, from;
         float along = 0, cosine = 0, total = 0;
         const auto add = [&](int k)

@@ -53,7 +53,7 @@ struct TakeTurns
         }
 
         int found = 0;
-        for (int turn = 0; turn < end; turn += team.width)
+        for (int turn = 0; turn < 40; turn += team.width)          // as many turns whatever the index is (device/Team.H)
         {
             const int k = turn + team.lane;
             const bool takes = k < end && k % 3 == 0;
@@ -61,6 +61,37 @@ struct TakeTurns
             if (takes) multiples[14 * i + found + place.before] = k;
             found += place.all;
         }
+    }
+};
+
+// Of each index: that it is visited, 780 times it, and which of 0, 5, 10, ... 55 is nearest to the group's first, of two the lower.
+struct TakeTogether
+{
+    Span<int> visits;
+    Span<float> sums, least, at;
+
+    HOST_DEVICE void operator()(Group group, Team team) const
+    {
+        float values[Group::most] = {};
+        for (int p = 0; p < Group::most; ++p)
+        {
+            for (int k = team.lane; k < 40; k += team.width) values[p] += float(k * group[p]);
+        }
+        Team::Least nearest{1e9f, 1e9f};
+        for (int k = team.lane; k < 12; k += team.width)
+        {
+            const float distance = fabsf(float(5 * k - group.first % 60));
+            if (distance < nearest.value) nearest = {distance, float(k)};
+        }
+        const float sum = team.sums(values);
+        nearest = team.least(nearest);
+        const bool any = team.any(team.lane == group.first % team.width), none = team.any(team.lane < 0);
+        if (team.lane >= group.size) return;
+        const int i = group.first + team.lane;
+        visits[i] += any && !none ? 1 : 100;
+        sums[i] = sum;
+        least[i] = nearest.value;
+        at[i] = nearest.at;
     }
 };
 
@@ -156,6 +187,49 @@ TEST(ForEach, VisitsSelectedIndicesOnce)
             expected += chosen[i] ? i % 40 * (i % 40 + 1) / 2 : 0;
         }
         EXPECT_EQ(all, expected) << "of " << n;
+    }
+}
+
+// Sizes around those of groups.
+TEST(ForEachGroup, VisitsEachIndexOnce)
+{
+    for (const int n : {1, 3, 4, 5, 1000, 300001})
+    {
+        Buffer<int> visits(n + 1);
+        Buffer<float> sums(n + 1), least(n + 1), at(n + 1);
+        visits.setZero();
+        forEachGroup(n, TakeTogether{visits.span(), sums.span(), least.span(), at.span()});
+        const auto visited = visits.download();
+        const auto sum = sums.download(), nearest = least.download(), where = at.download();
+        EXPECT_EQ(visited[n], 0) << "of " << n;
+        for (int i = 0; i < n; ++i)
+        {
+            ASSERT_EQ(visited[i], 1) << i << " of " << n;
+            const int first = i / Group::most * Group::most % 60, below = std::min(first / 5, 11);
+            const int k = below < 11 && 5 * (below + 1) - first < first - 5 * below ? below + 1 : below;
+            ASSERT_EQ(nearest[i], float(std::abs(5 * k - first))) << i << " of " << n;
+            ASSERT_EQ(where[i], float(k)) << i << " of " << n;
+            if (i < 20000) ASSERT_EQ(sum[i], float(780 * i)) << i << " of " << n;       // below 2^24: exact in any order
+        }
+    }
+}
+
+// As many groups as there are of those selected, which give their places.
+TEST(ForEachGroup, VisitsEachPlaceOfASelectionOnce)
+{
+    for (const int n : {0, 7, 5000, 300001})
+    {
+        std::vector<std::uint8_t> chosen(n);
+        for (int i = 0; i < n; ++i) chosen[i] = i % 3 == 1;
+        const int all = n / 3 + (n % 3 == 2);
+        Selection selection;
+        select(Buffer<std::uint8_t>(chosen), selection);
+        Buffer<int> visits(n + 1);
+        Buffer<float> sums(n + 1), least(n + 1), at(n + 1);
+        visits.setZero();
+        forEachGroup(selection, TakeTogether{visits.span(), sums.span(), least.span(), at.span()});
+        const auto visited = visits.download();
+        for (int k = 0; k <= n; ++k) ASSERT_EQ(visited[k], k < all ? 1 : 0) << k << " of " << n;
     }
 }
 

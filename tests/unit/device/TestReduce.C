@@ -36,7 +36,7 @@ struct ReadFloat
 int widthOf([[maybe_unused]] int sums)
 {
 #ifdef __CUDACC__
-    return device::teamWidth(sums);
+    return 1 << device::teamBits(sums);
 #else
     return 1;
 #endif

@@ -216,6 +216,36 @@ TEST(NeighbourList, LengthensWhatItHasCutOff)
     }
 }
 
+// So many that a GPU takes a thread each: of a lattice, whose neighbours are known, with rooms for few and for all of a list.
+TEST(NeighbourList, FindsTheNeighboursOfManyPoints)
+{
+    constexpr int edge = 41;
+    constexpr float spacing = 0.8f;             // those across a face's diagonal are 1.13 away, across a cube's 1.39
+    std::vector<Vec3> points;
+    for (int z = 0; z < edge; ++z)
+        for (int y = 0; y < edge; ++y)
+            for (int x = 0; x < edge; ++x) points.push_back({spacing * float(x), spacing * float(y), spacing * float(z)});
+    for (const int room : {4, 20})
+    {
+        NeighbourList list(support, room);
+        auto lists = neighboursOf(points, points, true, list);
+        for (int i = 0; i < int(points.size()); ++i)
+        {
+            std::vector<int> expected;
+            for (int z = -1; z <= 1; ++z)
+                for (int y = -1; y <= 1; ++y)
+                    for (int x = -1; x <= 1; ++x)
+                    {
+                        const int all = x * x + y * y + z * z, a = i % edge + x, b = i / edge % edge + y, c = i / (edge * edge) + z;
+                        const bool inside = std::min({a, b, c}) >= 0 && std::max({a, b, c}) < edge;
+                        if ((all == 1 || all == 2) && inside) expected.push_back((c * edge + b) * edge + a);
+                    }
+            std::sort(lists[i].begin(), lists[i].end());
+            ASSERT_EQ(lists[i], expected) << i << " with a room of " << room;
+        }
+    }
+}
+
 // The order of a list decides the order of a sum: it must not depend on the threads.
 TEST(NeighbourList, ListsInTheSameOrderOnAnyNumberOfThreads)
 {

@@ -34,20 +34,22 @@ struct SumFound
     Span<const float> number;
     Span<float> count, sum;
 
-    HOST_DEVICE void operator()(int i, Team team) const
+    HOST_DEVICE void operator()(Group particles, Team team) const
     {
         const float support2 = wide.support * wide.support;
-        Team::Float all{}, numbers{};
-        wide.forEach(i, [&](auto j, auto r)
+        GroupOfParticles group{{}, particles.members()};
+        for (int p = 0; p < Group::most; ++p) group.index[p] = particles[p];
+        Team::Float all[Group::most] = {}, numbers[Group::most] = {};
+        wide.forEach(group, [&](auto j) { return number[j]; }, [&](int p, auto its, auto r)
         {
             const auto isNear = squared(r) < support2;
-            all += isNear ? 1.0f : 0.0f;
-            numbers += isNear ? number[j] : 0;
+            all[p] += isNear ? 1.0f : 0.0f;
+            numbers[p] += isNear ? its : 0;
         }, team);
-        const float found = team.sum(all), sumFound = team.sum(numbers);
-        if (!team.first()) return;
-        count[i] = found;
-        sum[i] = sumFound;
+        const float found = team.sums(all), sumFound = team.sums(numbers);
+        if (team.lane >= particles.size) return;
+        count[particles.first + team.lane] = found;
+        sum[particles.first + team.lane] = sumFound;
     }
 };
 
@@ -73,7 +75,7 @@ testing::AssertionResult wideAgrees(const LiquidCase& drop, const std::vector<fl
     return testing::AssertionSuccess();
 }
 
-// By teams as they visit all particles, and by the wider ones that visit those selected.
+// By groups of all particles, and by groups of those selected, which are all.
 void expectWideAgrees(const LiquidCase& drop)
 {
     const int n = drop.liquid.owned();
@@ -82,13 +84,13 @@ void expectWideAgrees(const LiquidCase& drop)
     const Buffer<float> numbers(number);
     Buffer<float> count(n), sum(n);
     const SumFound sumFound{drop.near.wide(drop.liquid), numbers.span(), count.span(), sum.span()};
-    forEachTeam(n, sumFound);
+    forEachGroup(n, sumFound);
     EXPECT_TRUE(wideAgrees(drop, count.download(), sum.download()));
 
     count.setZero();
     Selection all;
     select(Buffer<std::uint8_t>(std::vector<std::uint8_t>(n, 1)), all);
-    forEachTeam(all, sumFound);
+    forEachGroup(all, sumFound);
     EXPECT_TRUE(wideAgrees(drop, count.download(), sum.download()));
 }
 

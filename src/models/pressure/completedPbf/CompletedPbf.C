@@ -34,6 +34,7 @@
 // maxIterations is meant for steps up to the capillary one sqrt(rho d^3/(2 pi sigma)); a longer one, which moves particles
 // farther, may make more towards the tolerance, by the root of how much longer it is. Trials: doc/theory/completedPbf.md.
 
+#include "device/Holds.H"
 #include "freeSurface/FreeSurface.H"
 #include "models/pressure/Pressure.H"
 #include "models/pressure/completedPbf/CoarseCorrection.H"
@@ -54,6 +55,8 @@ namespace
 template<class Kernel, class Stress>
 struct RaisePressure
 {
+    static constexpr Holds holds = Holds::more;
+
     Kernel W;
     float volume, densityVolume;            // V, V/S
     float ordering;                         // o
@@ -69,14 +72,15 @@ struct RaisePressure
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
+        const auto wall = walls(i, x[i], surface.contactOf(i), team);
         typename Stress::Moments moments;
         const ConstraintSums sums = constraintSums(W, volume, i, x, near, team, moments);
-        const bool atWall = walls.walls.isNear(i, x[i], W.h, team);
-        [[maybe_unused]] const auto slopes = moments.over(team);
-        if (!team.first()) return;
         const SurfaceState own = surface(i);
-        if constexpr (Stress::present) stress.store(i, x[i], slopes, pressure[i], own, plane, walls, atWall);
-        const auto wall = atWall ? walls(i, x[i], own.contact) : WallCompletion::Sum{};
+        if constexpr (Stress::present)
+        {
+            stress.store(i, x[i], moments.over(team), pressure[i], own, plane, walls, wall.anyWall, team);
+        }
+        if (!team.first()) return;
         const HalfSpaceValues gas = plane(own.depth);
         const Vec3 gradient = sums.gradient + wall.gradient;
         density[i] = (densityVolume * sums.W + wall.value) / (1 - gas.density);

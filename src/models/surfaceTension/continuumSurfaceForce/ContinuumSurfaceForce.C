@@ -77,34 +77,44 @@ struct SmoothNormal
     Span<Vec3> normal;                      // zero away from the surface
     Span<float> part;                       // b
 
-    HOST_DEVICE void operator()(int i, Team team) const
+    HOST_DEVICE void operator()(Group places, Team team) const
     {
-        const int k = int(surface.place[i]);
-        const Vec3 G = surface.gradient[k];
         const float least = setIn.from * steepest;
-        if (squared(G) <= least * least)
+        GroupOfParticles group{};
+        Vec3 own[Group::most];
+        #pragma unroll
+        for (int p = 0; p < Group::most; ++p)
         {
-            if (team.first())
-            {
-                normal[k] = {};
-                part[k] = 0;
-            }
-            return;
+            group.index[p] = places[p];
+            own[p] = surface.gradient[places[p]];
+            if (p < places.size && squared(own[p]) > least * least) group.members |= 1u << p;
         }
-        Team::Vector sums;
-        near.forEach(k, [&](auto l, auto r)
+        Team::Vector around[Group::most];
+        near.forEach(group, [&](auto l) { return surface.gradient[l]; }, [&](int p, auto Gl, auto r)
         {
-            const auto Gl = surface.gradient[l];
-            const auto same = squared(Gl) > least * least && dot(G, Gl) >= 0;
+            const auto same = squared(Gl) > least * least && dot(own[p], Gl) >= 0;
             if (noneOf(same)) return;
-            sums -= (same ? W.W(norm(r)) : 0) * Gl;
+            around[p] -= (same ? W.W(norm(r)) : 0) * Gl;
         }, team);
-        const Vec3 sum = team.sum(sums) - W.W(0) * G;
-        if (!team.first()) return;
-        normal[k] = 1 / norm(sum) * sum;
-        part[k] = setIn(norm(G) / steepest);
+        const Vec3 sums = team.sums(around);
+        if (team.lane >= places.size) return;
+        const int k = places.first + team.lane;
+        const Vec3 G = surface.gradient[k], sum = sums - W.W(0) * G;
+        const bool isNear = (group.members >> team.lane & 1) != 0;
+        normal[k] = isNear ? 1 / norm(sum) * sum : Vec3{};
+        part[k] = isNear ? setIn(norm(G) / steepest) : 0;
     }
 };
+
+// What a particle near the surface is to others.
+template<class Normal, class Number>
+struct OnSurface
+{
+    Normal normal;
+    Number part, depth;
+};
+template<class Normal, class Number>
+OnSurface(Normal, Number, Number) -> OnSurface<Normal, Number>;
 
 struct Curvature
 {
@@ -114,31 +124,51 @@ struct Curvature
     Span<const Vec3> normal;
     Span<const float> part;
     SelectedSearch near;
+    Span<const std::uint32_t> selected;
     ExtendedLiquidView extended;
     WallView walls;
     Span<float> curvature;                  // meaningless away from the surface
 
-    HOST_DEVICE void operator()(int i, Team team) const
+    HOST_DEVICE void operator()(Group places, Team team) const
     {
-        const int k = int(surface.place[i]);
-        if (squared(normal[k]) == 0) return;
-        const Vec3 xi = near.points[k], mi = normal[k];
-        const float own = surface.depth[k];
-        Team::Float spreads{}, weights{}, depths{};
-        near.forEach(k, [&](auto l, auto r)
+        GroupOfParticles group{};
+        Vec3 normals[Group::most];
+        float own[Group::most];
+        #pragma unroll
+        for (int p = 0; p < Group::most; ++p)
         {
-            const auto mj = normal[l];
-            const auto same = onSameSurface(mi, mj);
+            group.index[p] = places[p];
+            normals[p] = normal[places[p]];
+            own[p] = surface.depth[places[p]];
+            if (p < places.size && squared(normals[p]) > 0) group.members |= 1u << p;
+        }
+        Team::Float spreads[Group::most] = {}, weights[Group::most] = {}, depths[Group::most] = {};
+        const auto read = [&](auto l) { return OnSurface{normal[l], part[l], surface.depth[l]}; };
+        near.forEach(group, read, [&](int p, auto other, auto r)
+        {
+            const auto same = onSameSurface(normals[p], other.normal);
             if (noneOf(same)) return;
-            const auto mean = mi + mj;
-            const auto slope = same ? -volume * part[l] * W.g(norm(r)) : 0;
+            const auto mean = normals[p] + other.normal;
+            const auto slope = same ? -volume * other.part * W.g(norm(r)) : 0;
             const auto up = dot(r, mean);
             const auto along = same ? slope * (squared(r) - up * up / squared(mean)) : 0;
-            spreads -= slope * dot(r, mj - mi);
-            weights += along;
-            depths += along * 0.5f * (own + surface.depth[l]);
+            spreads[p] -= slope * dot(r, other.normal - normals[p]);
+            weights[p] += along;
+            depths[p] += along * 0.5f * (own[p] + other.depth);
         }, team);
-        float spread = team.sum(spreads), weight = team.sum(weights), depth = team.sum(depths);
+        const float spread = team.sums(spreads), weight = team.sums(weights), depth = team.sums(depths);
+        if ((group.members >> team.lane & 1) == 0) return;
+        const int k = places.first + team.lane;
+        addWalls(k, spread, weight, depth);
+    }
+
+private:
+    // The walls' part, and what comes of all.
+    HOST_DEVICE void addWalls(int k, float spread, float weight, float depth) const
+    {
+        const int i = int(selected[k]);
+        const Vec3 xi = near.points[k], mi = normal[k];
+        const float own = surface.depth[k];
         const ContactLine line = surface.contact[k];
         walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
         {
@@ -153,7 +183,6 @@ struct Curvature
             weight += along;
             depth += along * own;
         });
-        if (!team.first()) return;
         const float kappa = weight > 0 ? fminf(fmaxf(2 * spread / weight, -largest), largest) : 0;
         curvature[k] = weight > 0 ? kappa / fmaxf(0.3f, 1 + 0.5f * kappa * depth / weight) : 0;
     }
@@ -241,14 +270,14 @@ public:
         const FreeSurfaceView view = surface_.view();
         const SelectedSearch among = near.wide(surface_.particles(), position);
         forEach(surface_.particles(), PackPositions{view.place, liquid.predicted.span(), position.span()});
-        forEachTeam(surface_.particles(), SmoothNormal
+        forEachGroup(surface_.particles(), SmoothNormal
         {
             W, usualSetIn, surface_.steepest(), view, among, normal.span(), part.span()
         });
-        forEachTeam(surface_.particles(), Curvature
+        forEachGroup(surface_.particles(), Curvature
         {
             W, liquid.particleVolume(), most, view, normal.span(), part.span(), among,
-            extended_->view(), walls.view(), curvature.span()
+            surface_.particles().indices.span(), extended_->view(), walls.view(), curvature.span()
         });
         forEachTeam(surface_.particles(), Force
         {
