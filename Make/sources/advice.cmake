@@ -7,6 +7,7 @@ set(SHIZUKU_ADVICE_SOURCES
     advice/StoredStudies.C
     advice/TrialCase.C
     advice/rules/AnalyticWall.C
+    advice/rules/DeepLiquid.C
     advice/rules/Formulation.C
     advice/rules/Gravity.C
     advice/rules/Iterations.C

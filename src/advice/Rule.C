@@ -7,7 +7,7 @@ std::vector<Advice> adviseOn(Scene& scene)
 {
     std::vector<Advice> result;
     using enum AdviceStage;
-    for (const AdviceStage stage : {models, formulation, resolution, step})
+    for (const AdviceStage stage : {models, formulation, resolution, step, pressure})
     {
         for (const std::string& word : AdviceRules::words())
         {

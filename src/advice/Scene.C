@@ -187,6 +187,7 @@ Scene Scene::read(const fs::path& path, const fs::path& filled, const StoredStud
     scene.smoothingPerCapillaryStep = models.subDictOrEmpty("XSPHCoeffs").lookupOr("perCapillaryStep", 0.0);
     scene.support = solution.subDictOrEmpty("kernel").lookupOr("support", 2.0);
     scene.maxIterations = solution.subDictOrEmpty("pressure").lookupOr("maxIterations", 0);
+    scene.coarseGrid = solution.subDictOrEmpty("pressure").lookupOr("coarseGrid", false);
     scene.refillable = fs::exists(path/"system/fillLiquidDict");
 
     const std::vector<Vector3> positions = readLiquidPositions(time.path());

@@ -253,6 +253,31 @@ TEST_F(RuleTest, iterationsOfADropAtRest)
     EXPECT_EQ(changes(ask("iterations", 0.031)), "no advice");
 }
 
+// A column of 40 spacings that falls 0.05 m, U^2 = 2 g fall; eight iterations of a support of two spacings reach 16.
+TEST_F(RuleTest, coarseGridForDeepLiquid)
+{
+    scene_.gravity = {0, 0, -10};
+    const double d = scene_.spacing, H = 40*d, U = std::sqrt(2*10*0.05);
+    scene_.bodies[0].liquid.low = {0, 0, 0};
+    scene_.bodies[0].liquid.high = {5*d, 5*d, H};
+    scene_.bodies[0].impactSpeed = U;
+    const double step = d*std::sqrt(0.1/(10*H + U*U));                     // throws it by 0.1 of a spacing
+    scene_.subStep = step*(1 + close);
+    EXPECT_EQ(changes(ask("deepLiquid", 0.05)), "pressure/coarseGrid=yes");
+    EXPECT_TRUE(holds(ask("deepLiquid", 0.05)->reason, {"reach 16 of 40 spacings", "0.1 of one"}));
+    scene_.coarseGrid = true;
+    EXPECT_EQ(changes(ask("deepLiquid", 0.05)), "");
+    scene_.subStep = step*(1 - close);
+    EXPECT_EQ(changes(ask("deepLiquid", 0.05)), "pressure/coarseGrid=no");
+    scene_.coarseGrid = false;
+    EXPECT_EQ(changes(ask("deepLiquid", 0.05)), "");
+    scene_.maxIterations = 20;                                             // which reach all of it
+    EXPECT_EQ(changes(ask("deepLiquid", 0.05)), "no advice");
+    scene_.maxIterations = 8;
+    scene_.models["pressure"] = "DFSPH";                                   // has none
+    EXPECT_EQ(changes(ask("deepLiquid", 0.05)), "no advice");
+}
+
 // A half sphere, of which pi (r^2 d - d^3/3) is within a spacing d: (2 - cos theta) 2^(2/3) = 4.391 on a wall of 140 degrees,
 // where a free sphere has 4, times pi sigma R^2. The cap at rest: 3.949 (src/reference/CapOnWall.H).
 TEST_F(RuleTest, startThatMayJumpOff)

@@ -1,0 +1,65 @@
+// Does the pressure's coarse grid keep the volume of deep liquid?
+//
+// pressure/coarseGrid of completedPbf. An iteration carries a load by one support, so that all of a sub-step reach n h deep. Where
+// liquid of depth H is deeper than that, a sub-step leaves it compressed, the more the larger
+//
+//     dt^2 p/(rho d^2) = dt^2 (g H + U^2)/d^2,        U: the speed with which it meets a wall
+//
+// which is how far, in spacings, its pressure would throw it in that time. A block a hundred spacings deep that falls on a floor lost
+// 0.6, 2.4, 8 and 17 % of its volume at 0.07, 0.27, 1.1 and 4.4 (doc/performance.md, One simulated second): from 0.1 on the grid is worth its time.
+
+#include "advice/Rule.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr double most = 0.1;
+
+class DeepLiquid : public AdviceRule
+{
+public:
+    // Behind the step and the iterations that the case will have.
+    AdviceStage stage() const override { return AdviceStage::pressure; }
+
+    std::optional<Advice> advise(Scene& scene) const override
+    {
+        const double g = length(scene.gravity), d = scene.spacing, reach = scene.maxIterations*scene.support;
+        if (scene.models.at("pressure") != "completedPbf" || g == 0 || scene.maxIterations == 0) return std::nullopt;
+
+        double deepest = 0, thrown = 0;         // spacings
+        for (const SceneBody& body : scene.bodies)
+        {
+            const Vector3 size = body.liquid.size(), down = scene.gravity/g;
+            const double depth = std::abs(size.x*down.x) + std::abs(size.y*down.y) + std::abs(size.z*down.z);
+            if (depth <= reach*d) continue;
+            deepest = std::max(deepest, depth/d);
+            thrown = std::max(thrown, std::pow(scene.subStep/d, 2)*(g*depth + std::pow(body.impactSpeed, 2)));
+        }
+        if (deepest == 0 && !scene.coarseGrid) return std::nullopt;
+
+        Advice advice
+        {
+            "keep", deepest == 0 ? "no liquid is deeper than the " + number(reach) + " spacings that its iterations reach" :
+            "its iterations reach " + number(reach) + " of " + number(deepest) + " spacings, and its pressure would throw it by " +
+            number(thrown) + " of one in a sub-step", "doc/performance.md; src/advice/rules/DeepLiquid.C"
+        };
+        const bool needed = thrown > most;
+        if (needed == scene.coarseGrid) return advice;
+        advice.verdict = needed ? "coarseGrid yes: it would lose volume" : "coarseGrid no: it keeps its volume without";
+        advice.changes = {{"system/solution", "pressure/coarseGrid", needed ? "yes" : "no"}};
+        scene.coarseGrid = needed;
+        return advice;
+    }
+};
+
+const AdviceRules::Add<DeepLiquid> registered{"deepLiquid"};
+
+}
+
+}
