@@ -1,5 +1,6 @@
 #include "models/pressure/completedPbf/CoarseCorrection.H"
 
+#include "core/messages/Error.H"
 #include "device/ForEach.H"
 #include "device/Reduce.H"
 
@@ -256,7 +257,20 @@ void CoarseCorrection::begin(const Liquid& liquid, const FreeSurface& surface)
     box.y = cellOf(bounds.high.y + around) - box.lowY + 1;
     box.z = cellOf(bounds.high.z + around) - box.lowZ + 1;
     constexpr double most = 1 << 26;        // cells
-    if (double(box.x) * box.y * box.z > most) return;
+    const double cells = double(box.x) * box.y * box.z;
+    if (cells > most)
+    {
+        if (!tooWide_)
+        {
+            warning
+            (
+                "The coarse grid around the liquid would have " + std::to_string(std::int64_t(cells)) +
+                " cells, more than 2^26: it is left out while the liquid lies so far apart"
+            );
+        }
+        tooWide_ = true;
+        return;
+    }
     box_ = box;
     order_ = grid_.build(x, liquid.owned());
 

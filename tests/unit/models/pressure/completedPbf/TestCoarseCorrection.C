@@ -32,9 +32,9 @@ struct Outcome
     double rise = 0;                // of the centroid, in spacings
 };
 
-Outcome stepOf(const std::vector<Vec3>& points, const std::string& controls)
+Outcome stepOf(const std::vector<Vec3>& points, const std::string& controls, const CaseText& text = tank())
 {
-    LiquidCase drop(tank());
+    LiquidCase drop(text);
     const auto pressure = makePressure(drop, "completedPbf", controls);
     drop.place(points);
     iterate(*pressure, drop, 0.1f);
@@ -78,4 +78,19 @@ TEST(CoarseCorrection, LeavesSmallDropsAlone)
     };
     const auto with = moved("coarseGrid yes;"), without = moved("");
     for (std::size_t i = 0; i < with.size(); ++i) ASSERT_EQ(norm(with[i] - without[i]), 0) << i;
+}
+
+// Two columns 1,000 spacings apart along each axis: a box around both has 500^3 = 1.3e8 cells. The grid is left out, which is said.
+TEST(CoarseCorrection, SaysThatLiquidLiesTooFarApart)
+{
+    auto points = pressedColumn(0.94f);
+    const std::size_t one = points.size();
+    for (std::size_t i = 0; i < one; ++i) points.push_back(points[i] + Vec3{1000, 1000, 1000});
+    CaseText open;
+    const std::string eight = "minIterations 8; maxIterations 8; tolerance 0;";
+    const Outcome without = stepOf(points, eight, open);
+    testing::internal::CaptureStderr();
+    const Outcome with = stepOf(points, eight + " coarseGrid yes;", open);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("more than 2^26"), std::string::npos);
+    EXPECT_EQ(with.rise, without.rise);
 }
