@@ -8,10 +8,34 @@ namespace shizuku
 namespace
 {
 
-void moveByForces(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, float dt)
+// Predicts the positions after dt, and lists what lies around them. move: what needs the lists and may have to be done again with
+// longer ones.
+template<class Move>
+void predict(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& models, float dt, const Move& move)
 {
-    models.freeSurface->update(liquid, near, walls);
-    models.forces.applyBeforeIterations(liquid, near, walls, dt);
+    predictPositions(liquid, dt);
+    near.search(liquid, models.freeSurface->support());
+    walls.search(liquid);
+    move();
+    if (!near.cutOff() && !walls.cutOff()) return;          // asked late: by then the device has enough to do
+    predictPositions(liquid, dt);
+    near.lengthen(liquid);
+    walls.lengthen(liquid);
+    move();
+}
+
+// iterate: what acts besides the pressure in each of its iterations.
+template<class Iterate>
+void project(Liquid& liquid, Neighbourhood& near, Walls& walls, Pressure& pressure, float dt, const Iterate& iterate)
+{
+    walls.project(liquid);
+    pressure.begin(dt);
+    while (pressure.violated(liquid, near, walls))
+    {
+        iterate();
+        pressure.correct(liquid, near, walls);
+        if (!pressure.stopsAtWalls()) walls.project(liquid);
+    }
 }
 
 }
@@ -19,27 +43,12 @@ void moveByForces(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& mod
 void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, float dt)
 {
     models.bodyForce->apply(liquid, dt);
-    predictPositions(liquid, dt);
-
-    near.search(liquid, models.freeSurface->support());
-    walls.search(liquid);
-    moveByForces(liquid, near, walls, models, dt);
-    if (near.cutOff() || walls.cutOff())                    // asked late: by then the device has enough to do
+    predict(liquid, near, walls, models, dt, [&]
     {
-        predictPositions(liquid, dt);
-        near.lengthen(liquid);
-        walls.lengthen(liquid);
-        moveByForces(liquid, near, walls, models, dt);
-    }
-    walls.project(liquid);
-
-    models.pressure->begin(dt);
-    while (models.pressure->violated(liquid, near, walls))
-    {
-        models.forces.applyInIteration(liquid, near, walls, dt);
-        models.pressure->correct(liquid, near, walls);
-        if (!models.pressure->stopsAtWalls()) walls.project(liquid);
-    }
+        models.freeSurface->update(liquid, near, walls);
+        models.forces.applyBeforeIterations(liquid, near, walls, dt);
+    });
+    project(liquid, near, walls, *models.pressure, dt, [&] { models.forces.applyInIteration(liquid, near, walls, dt); });
 
     updateVelocities(liquid, dt);
     models.pressure->correctVelocities(liquid, near, walls);
@@ -49,6 +58,15 @@ void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, 
         models.freeSurface->support(), dt
     );
     models.viscosity->apply(liquid, near, walls, dt);
+}
+
+void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, float dt)
+{
+    if (!models.pressure->settles()) return;
+    predict(liquid, near, walls, models, 0, [&] { models.freeSurface->update(liquid, near, walls); });
+    project(liquid, near, walls, *models.pressure, dt, [] {});
+    liquid.position.swap(liquid.predicted);
+    models.pressure->forget();
 }
 
 }

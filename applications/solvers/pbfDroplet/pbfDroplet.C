@@ -60,6 +60,10 @@ void pbfDroplet(const Arguments& args)
 
     if (args.found("dry-run")) return reportDryRun(time, control, liquid, walls, models, device, speeds.now);
 
+    const auto subSteps = [&] { return control.divide(time.deltaT(), speeds.now, liquid, models); };
+    const auto scaled = [&](const SubSteps& steps) { return liquid.units().toScaled(steps.dt, dimensions::time); };
+    if (time.index() == 0) settle(liquid, near, walls, models, scaled(subSteps()));
+
     std::optional<ProfileReport> profile;
     if (args.found("profile")) profile.emplace();
     std::cout << "Ready for the first step after " << clockTime() << " s" << std::endl;
@@ -69,8 +73,8 @@ void pbfDroplet(const Arguments& args)
     {
         if (time.readIfModified()) control = StepControl(time.controlDict());
         if (changes.apply(time, liquid, walls, models)) functions.modelsMade(flow);
-        const SubSteps steps = control.divide(time.deltaT(), speeds.now, liquid, models);
-        const float dt = liquid.units().toScaled(steps.dt, dimensions::time);
+        const SubSteps steps = subSteps();
+        const float dt = scaled(steps);
         time.advance();
 
         for (int step = 0; step < steps.count; ++step)

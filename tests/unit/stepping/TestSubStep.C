@@ -51,3 +51,81 @@ TEST(SubStep, IsTheSameWhenListsFindNoRoom)
         ASSERT_EQ(found[i].z, expected[i].z);
     }
 }
+
+namespace
+{
+
+// A sheet of one layer on a plane, as fillLiquid leaves the rim of a flat drop, under a pressure model alone.
+struct Sheet
+{
+    LiquidCase drop{{.walls = floorPlane, .wettability = "floor { theta 15; }"}};
+    Models models;
+
+    explicit Sheet(const std::string& pressure)
+    :
+        models(described(drop, pressure), Dictionary(), drop.liquid, drop.walls)
+    {
+        drop.walls.requireContactAngles();
+        const auto points = latticeBlock(21, 21, 1, 1, {-10, -10, 0.5f});
+        drop.place(points, std::vector<Vec3>(points.size(), Vec3{0.5f, 0, 0}));
+    }
+
+    static std::filesystem::path described(LiquidCase& drop, const std::string& pressure)
+    {
+        drop.folder.write
+        (
+            "constant/models",
+            "pressure " + pressure + "; surfaceTension none; wetting none; viscosity none; bodyForce none;"
+        );
+        return drop.folder.path();
+    }
+
+    // The farthest way of a particle, in spacings.
+    double farthest(const std::vector<Vec3>& before) const
+    {
+        double most = 0;
+        const auto after = drop.inOrder(drop.liquid.position);
+        for (std::size_t i = 0; i < before.size(); ++i) most = std::max(most, double(norm(after[i] - before[i])));
+        return most / drop.liquid.spacing();
+    }
+
+    std::vector<Vec3> positions() const { return drop.inOrder(drop.liquid.position); }
+
+    void settleFor(float dt) { settle(drop.liquid, drop.near, drop.walls, models, dt); }
+    void step(float dt) { subStep(drop.liquid, drop.near, drop.walls, models, dt); }
+};
+
+}
+
+// The model wants the sheet a tenth of a spacing and more elsewhere. Settled, that is no velocity, and the first step moves it by
+// what the settling's iterations left.
+TEST(SubStep, StartsSettledLiquidWithItsOwnVelocity)
+{
+    constexpr float dt = 1e-3f;
+    Sheet filled("completedPbf"), settled("completedPbf");
+    const auto placed = filled.positions();
+    filled.step(dt);
+    const double jump = filled.farthest(placed);
+    EXPECT_GT(jump, 0.1);
+
+    settled.settleFor(dt);
+    EXPECT_GT(settled.farthest(placed), 0.1);
+    for (const Vec3& u : settled.drop.liquid.velocity.download())
+    {
+        EXPECT_EQ(u.x, 0.5f);
+        EXPECT_EQ(u.y, 0);
+        EXPECT_EQ(u.z, 0);
+    }
+    for (const float p : settled.models.pressure->keepPressure()->download()) EXPECT_EQ(p, 0);
+    const auto start = settled.positions();
+    settled.step(dt);
+    EXPECT_LT(settled.farthest(start), 0.1 * jump);
+}
+
+TEST(SubStep, LeavesLiquidOfOtherModelsWhereItIs)
+{
+    Sheet sheet("pbf");
+    const auto placed = sheet.positions();
+    sheet.settleFor(1e-3f);
+    EXPECT_EQ(sheet.farthest(placed), 0);
+}

@@ -14,6 +14,7 @@
 
 #include "models/density/Density.H"
 #include "models/pressure/Pressure.H"
+#include "models/pressure/shared/AddPressure.H"
 #include "models/pressure/shared/AverageCompression.H"
 #include "models/pressure/shared/PressureControls.H"
 #include "models/pressure/shared/PressureField.H"
@@ -29,14 +30,13 @@ struct RaisePressure
 {
     float delta;                        // times rho0
     float perPressure;                  // dt^2/rho0
-    Span<const float> density;
-    Span<float> pressure, increase;
+    Span<const float> density, pressure;
+    Span<float> increase;
 
     HOST_DEVICE void operator()(int i) const
     {
         const float before = pressure[i];
-        pressure[i] = fmaxf(before + delta * (density[i] - 1), 0);
-        increase[i] = (pressure[i] - before) * perPressure;
+        increase[i] = (fmaxf(before + delta * (density[i] - 1), 0) - before) * perPressure;
     }
 };
 
@@ -85,6 +85,7 @@ public:
             },
             liquid.kernel()
         );
+        forEach(liquid.owned(), AddPressure{liquid.restDensity() / (dt_ * dt_), increase_.span(), pressure_.span()});
     }
 
     int iterations() const override { return iterations_; }

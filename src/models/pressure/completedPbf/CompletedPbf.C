@@ -66,7 +66,8 @@ struct RaisePressure
     WallCompletion walls;
     FreeSurfaceView surface;
     HalfSpaceView plane;
-    Span<float> density, pressure, increase;
+    Span<const float> pressure;             // so far; of the first iteration that of the step before
+    Span<float> density, increase;
     Span<Vec3> push, order;                 // dt^2/rho0 (2 dp grad(walls) + e), dt^2/rho0 e; order may be empty
     Stress stress;
 
@@ -87,11 +88,11 @@ struct RaisePressure
 
         const float before = Stress::present ? 0 : pressure[i];
         const float step = relaxation * (density[i] - 1) / (sums.squares + squared(gradient) + epsilon);
-        pressure[i] = fmaxf(before + step / perPressure, own.lowestPressure);
-        increase[i] = (pressure[i] - before) * perPressure;
+        const float raised = fmaxf(before + step / perPressure, own.lowestPressure);
+        increase[i] = (raised - before) * perPressure;
 
         const Vec3 disorder = gradient - gas.gradient / fmaxf(norm(own.gradient), 1e-20f) * own.gradient;
-        const Vec3 e = 2 * increase[i] * ((pressure[i] < 0 ? -ordering : ordering) - 1) * disorder;
+        const Vec3 e = 2 * increase[i] * ((raised < 0 ? -ordering : ordering) - 1) * disorder;
         push[i] = 2 * increase[i] * wall.gradient + e;
         if (order.size > 0) order[i] = e;
     }
@@ -101,12 +102,13 @@ template<class Kernel, class Stress>
 struct Displace
 {
     Kernel W;
-    float volume;
+    float volume, perPressure;
     Span<const Vec3> x;
     NeighbourView near;
     Span<const float> increase;
     Span<const Vec3> push, internal;        // internal: of it what should not move the liquid as a whole; may be empty
     WallStop stop;
+    Span<float> pressure;                   // of what has been displaced by: an increase that was only looked at is not in it
     Span<Vec3> total, corrected;
     Stress stress;
 
@@ -126,6 +128,7 @@ struct Displace
         const Vec3 admitted = stop(i, xi - step - push[i], team);
         if (!team.first()) return;
         corrected[i] = admitted;
+        pressure[i] = (Stress::present ? 0 : pressure[i]) + own / perPressure;
         if (internal.size > 0) total[i] += internal[i];
     }
 };
@@ -209,6 +212,14 @@ public:
         return {std::move(total), -1};
     }
 
+    bool settles() const override { return true; }
+
+    void forget() override
+    {
+        takeDisplacement();
+        pressure_.setZero();
+    }
+
     int iterations() const override { return iterations_; }
     const Buffer<float>* keepPressure() override { return &pressure_; }
 
@@ -230,7 +241,7 @@ private:
                     W, V, V / liquid.latticeSum(), ordering_, controls_.relaxation, controls_.epsilon,
                     dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
                     {extended_->view(), W.h, walls.view()}, surface_.view(), {plane_.span(), W.h},
-                    liquid.density.span(), pressure_.span(), increase_.span(), push_.span(),
+                    pressure_.span(), liquid.density.span(), increase_.span(), push_.span(),
                     order_.span(), stress
                 });
             },
@@ -249,8 +260,9 @@ private:
             {
                 forEachTeam(liquid.owned(), Displace<Kernel, Stress>
                 {
-                    W, liquid.particleVolume(), liquid.predicted.span(), near.view(), increase_.span(), push_.span(),
-                    internal(), walls.stop(liquid), total_.span(), corrected.span(), stress
+                    W, liquid.particleVolume(), dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
+                    increase_.span(), push_.span(), internal(), walls.stop(liquid), pressure_.span(), total_.span(),
+                    corrected.span(), stress
                 });
             },
             liquid.kernel()

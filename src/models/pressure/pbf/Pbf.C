@@ -1,6 +1,7 @@
 #include "models/pressure/pbf/Pbf.H"
 
 #include "models/density/Density.H"
+#include "models/pressure/shared/AddPressure.H"
 #include "models/pressure/shared/ConstraintSums.H"
 
 namespace shizuku
@@ -75,15 +76,6 @@ struct Correction
         });
         corrected[i] = xi - relaxation * step;
     }
-};
-
-struct AddPressure
-{
-    float factor;                       // w rho0/dt^2
-    Span<const float> multiplier;
-    Span<float> pressure;
-
-    HOST_DEVICE void operator()(int i) const { pressure[i] += factor * multiplier[i]; }
 };
 
 }
