@@ -188,6 +188,7 @@ void Walls::use(const WallCosines& cosines)
     angles_ = true;
     for (int a = 0; a < surfaces_.count; ++a) surfaces_.surface[a].cosTheta = cosines.surfaces[a];
     if (layer_) layer_->useCosines(cosines.particles);
+    wetted_ = contactAngles().first < 179.9;
 }
 
 std::optional<WallCosines> Walls::cosines() const

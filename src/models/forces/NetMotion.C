@@ -8,6 +8,7 @@ HOST_DEVICE void NetMotion::Sums::add(const Sums& other)
     for (int c = 0; c < 3; ++c)
     {
         d[c] += other.d[c];
+        forces[c] += other.forces[c];
         x[c] += other.x[c];
         turn[c] += other.turn[c];
         xx[c] += other.xx[c];
@@ -33,7 +34,7 @@ struct SumsOfParticle
         const double x = p.x, y = p.y, z = p.z, u = double(q.x) + r.x, v = double(q.y) + r.y, w = double(q.z) + r.z;
         return
         {
-            {u, v, w}, {x, y, z}, {y * w - z * v, z * u - x * w, x * v - y * u}, {x * x, y * y, z * z},
+            {u, v, w}, {r.x, r.y, r.z}, {x, y, z}, {y * w - z * v, z * u - x * w, x * v - y * u}, {x * x, y * y, z * z},
             {x * y, y * z, z * x}, walls.isNear(i, p, reach, {}) ? 1.0 : 0.0
         };
     }
@@ -44,14 +45,16 @@ struct FindMotion
 {
     Span<const NetMotion::Sums> sums;
     double n;
-    HeldDirections walls;
+    HeldDirections walls, pulling;                      // pulling: those that bear other forces than pressure
     Span<NetMotion::Motion> motion;
 
     HOST_DEVICE void operator()(int) const
     {
         const NetMotion::Sums& all = sums[0];
-        const HeldDirections held = all.atWall > 0 ? walls : HeldDirections{};
-        motion[0] = {held.freePart(mean(all.d)), turn(all, held), mean(all.x)};
+        const bool atWall = all.atWall > 0;
+        const HeldDirections held = atWall ? walls : HeldDirections{}, pulled = atWall ? pulling : HeldDirections{};
+        const Vec3 forces = mean(all.forces), borne = forces - held.freePart(forces);
+        motion[0] = {held.freePart(mean(all.d)) + pulled.freePart(borne), turn(all, held), mean(all.x)};
     }
 
 private:
@@ -117,7 +120,7 @@ void NetMotion::takeBack
         scratch_, sums_
     );
     motion_.resizeDiscarding(1);
-    forEach(1, FindMotion{sums_.span(), double(n), walls.held(), motion_.span()});
+    forEach(1, FindMotion{sums_.span(), double(n), walls.held(), walls.pulling(), motion_.span()});
     forEach(n, MoveBack{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});
 }
 

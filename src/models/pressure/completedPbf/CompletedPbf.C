@@ -25,7 +25,7 @@
 //
 //     pressure
 //     {
-//         ordering        1.4;            // o, from 1 to 4
+//         ordering        1.2;            // o, from 1 to 4
 //         coarseGrid      no;             // yes: takes compression out over the whole depth at once (CoarseCorrection.H)
 //     }
 //
@@ -139,7 +139,7 @@ public:
     CompletedPbf(const Dictionary& controls, Liquid& liquid, Walls& walls, FreeSurface& surface)
     :
         controls_(PressureControls::read(controls, liquid)),
-        ordering_(float(controls.lookupOr("ordering", 1.4))),
+        ordering_(float(controls.lookupOr("ordering", 1.2))),
         limits_(controls_),
         surface_(surface),
         plane_(tabulateHalfSpace(liquid.kernel())),

@@ -11,9 +11,9 @@
 //                                                 to kappa'_i, where that is below zero
 //
 // On a sphere each pair gives exactly 2/r at the pair's mean radius. J(kappa): what 2 b |G| adds up to where particles are,
-// on the liquid's side of a surface of that curvature (SurfaceLayer.H). Near the surface means |G| above 0.2 of a planar
-// surface's; b grows smoothly from 0 there to 1 at 0.4. The second layer stands about there, and a force that is switched on and off makes its
-// particles tremble. Particles with normals apart by more than a right angle lie on different surfaces. At a hollow surface
+// on the liquid's side of a surface of that curvature (SurfaceLayer.H). Near the surface means |G| above 0.1 of a planar
+// surface's; b grows smoothly from 0 there to 1 at 0.8: so widely that the force of the layers of particles adds up to the same however far
+// they stand apart. Particles with normals apart by more than a right angle lie on different surfaces. At a hollow surface
 // liquid is under suction and the surface gives way where a single particle reads too little of it: there all near it have the
 // mean. On round drops kappa_i stands.
 //
@@ -48,7 +48,7 @@ namespace shizuku
 namespace
 {
 
-constexpr SetIn usualSetIn{0.2f, 0.4f};     // b
+constexpr SetIn usualSetIn{0.1f, 0.8f};     // b
 constexpr float halfOfForce = 0.5f * (usualSetIn.from + usualSetIn.all);
 constexpr float sharpest = 0.7f;            // largest |kappa|, times the spacing
 constexpr float holds = 1.5f;               // lowest pressure at a hollow surface, over sigma kappa
@@ -264,7 +264,7 @@ public:
     {
         const WendlandC2 W = surface_.kernel();
         const float most = sharpest / liquid.spacing();
-        if (!extended_) tabulate(walls, most);
+        if (!extended_) tabulate(walls, liquid.spacing());
         Buffer<Vec3> position(liquid.owned()), normal(liquid.owned());      // of the particles near the surface
         Buffer<float> part(liquid.owned()), curvature(liquid.owned());
         const FreeSurfaceView view = surface_.view();
@@ -300,10 +300,10 @@ private:
     }
 
     // What the force adds up to, and the wedge's part in the curvature: of what lies near the surface.
-    void tabulate(const Walls& walls, float most)
+    void tabulate(const Walls& walls, float spacing)
     {
         const WendlandC2 W = surface_.kernel();
-        sums_.upload(tabulateSurfaceLayer(W, usualSetIn, most));
+        sums_.upload(tabulateSurfaceLayer(W, usualSetIn, spacing, sharpest / spacing));
         parts_.upload(tabulateDeeperPart(W, usualSetIn));
         const auto plane = tabulateHalfSpace(W);
         const HalfSpaceView view{{plane.data(), int(plane.size())}, W.h};

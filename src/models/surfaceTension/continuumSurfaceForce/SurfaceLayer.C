@@ -29,12 +29,34 @@ double steepestSlope(const WendlandC2& W)
     return integrate(0, W.h, [&](double d) { return 2 * pi * d * W.W(float(d)); });
 }
 
+// |G| at a depth below a planar surface.
+double slopeBelow(double depth, const WendlandC2& W)
+{
+    return depth < W.h ? integrate(depth, W.h, [&](double d) { return 2 * pi * d * W.W(float(d)); }) : 0;
 }
 
-std::vector<float> tabulateSurfaceLayer(const WendlandC2& W, const SetIn& b, float largest)
+// What layers half a spacing, one and a half ... below a planar surface have of b |G|, over its integral.
+double layersOverWhole(const WendlandC2& W, const SetIn& b, double spacing)
+{
+    constexpr int parts = 2000;
+    const double steepest = steepestSlope(W);
+    const auto force = [&](double depth)
+    {
+        const double slope = slopeBelow(depth, W);
+        return b(float(slope / steepest)) * slope;
+    };
+    double layers = 0, whole = 0;
+    for (double depth = 0.5 * spacing; depth < W.h; depth += spacing) layers += force(depth) * spacing;
+    for (int k = 0; k < parts; ++k) whole += force((k + 0.5) * W.h / parts) * W.h / parts;
+    return layers / whole;
+}
+
+}
+
+std::vector<float> tabulateSurfaceLayer(const WendlandC2& W, const SetIn& b, float spacing, float largest)
 {
     constexpr int half = 16, parts = 100;
-    const double h = W.h, steepest = steepestSlope(W);
+    const double h = W.h, steepest = steepestSlope(W), layered = layersOverWhole(W, b, spacing);
     const auto layer = [&](double kappa)
     {
         const bool ball = kappa > 0;
@@ -45,7 +67,7 @@ std::vector<float> tabulateSurfaceLayer(const WendlandC2& W, const SetIn& b, flo
             const double slope = slopeAt(R + towards * depth * (k + 0.5) / parts, R, W);
             sum += 2 * b(float(slope / steepest)) * slope * depth / parts;
         }
-        return float(sum);
+        return float(layered * sum);
     };
     std::vector<float> table(2 * half + 1);
     for (int k = 1; k <= half; ++k)

@@ -38,9 +38,13 @@ constexpr float reach = 4;                      // spacings, from which on walls
 
 // A block of 7 x 5 x 3 particles off the origin, the lowest ones so many spacings above z = 0, with velocities of up to 0.1 at
 // random and 0.05 along (1 2 3), made by displacements in a step of 0.01, which are then taken back.
-Motion leftOver(const std::string& walls, float height = 0.5f, const std::vector<Vec3>& solidPositions = {})
+Motion leftOver
+(
+    const std::string& walls, float height = 0.5f, const std::vector<Vec3>& solidPositions = {}, const std::string& wettability = {}
+)
 {
-    LiquidCase drop({.walls = walls, .solidPositions = solidPositions});
+    LiquidCase drop({.walls = walls, .wettability = wettability, .solidPositions = solidPositions});
+    if (!wettability.empty()) drop.walls.requireContactAngles();
     drop.walls.requireContacts(drop.liquid, reach * drop.liquid.spacing());
     RandomNumbers random(5);
     const auto points = latticeBlock(7, 5, 3, 1, {20, -30, height});
@@ -93,6 +97,15 @@ TEST(NetMotion, IsNoneOfLiquidThatHasLeftAPlane)
         EXPECT_LT(length(motion.turn), rounding);
     }
     EXPECT_NEAR(leftOver(sampledFloor, reach - 0.1f, layer).mean.z, 0.15, 0.03);
+}
+
+// Of a plane that nothing wets only what the pressure moved is left across it, -0.5 of all; as long as one layer has it within reach.
+TEST(NetMotion, StaysAcrossAPlaneThatNothingWetsIfPressureMadeIt)
+{
+    const double all = leftOver(floorPlane, 0.5f, {}, "floor { theta 170; }").mean.z;
+    EXPECT_NEAR(all, 0.15, 0.03);
+    EXPECT_NEAR(leftOver(floorPlane, 0.5f, {}, "floor { theta 180; }").mean.z, -0.5*all, rounding);
+    EXPECT_NEAR(leftOver(floorPlane, reach + 0.1f, {}, "floor { theta 180; }").mean.z, 0, rounding);
 }
 
 TEST(NetMotion, StaysInACornerButForItsEdge)

@@ -271,7 +271,7 @@ TEST(CompletedPbf, KeepsOrderUnderSuction)
     constexpr float dt = 0.5f;
     LiquidCase drop;
     const auto tension = makeTension(drop);
-    const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1; relaxation 1;");
+    const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1; relaxation 1; ordering 1.4;");
     RandomNumbers random(7);
     auto points = latticeBlock(11, 11, 11, 1.06f);
     disorder(points, 0.1f, random);

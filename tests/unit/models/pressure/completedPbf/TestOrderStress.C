@@ -43,7 +43,7 @@ TEST(OrderStress, IsTakenOutOfThePressure)
         return W.slope(norm(r)) / norm(r) * Vector3(r.x, r.y, r.z);
     };
     using Tensor = std::array<std::array<double, 3>, 3>;
-    std::map<std::size_t, Tensor> stress;           // p D of those in the middle and of their neighbours
+    std::map<std::size_t, Tensor> stress;           // r p D of those in the middle and of their neighbours
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         if (norm(points[i] - middle) > 3.5) continue;
@@ -61,7 +61,7 @@ TEST(OrderStress, IsTakenOutOfThePressure)
         }
         const double third = (D[0][0] + D[1][1] + D[2][2]) / 3;
         for (int a = 0; a < 3; ++a) D[a][a] -= third;
-        for (auto& row : D) for (double& value : row) value *= std::max(p[i], 0.0f);
+        for (auto& row : D) for (double& value : row) value *= OrderStress::removed * std::max(p[i], 0.0f);
         stress[i] = D;
     }
     int compared = 0;
@@ -92,7 +92,7 @@ TEST(OrderStress, IsTakenOutOfThePressure)
 namespace
 {
 
-// What a pressure of 1 has taken out.
+// What a pressure of 1/r has taken out.
 struct StoreDeviator
 {
     CubicSpline W;
@@ -110,7 +110,7 @@ struct StoreDeviator
         constraintSums(W, volume, i, x, near, team, moments);
         const bool atWall = walls.walls.isNear(i, x[i], W.h, team);
         const auto slopes = moments.over(team);
-        stress.store(i, x[i], slopes, 1, surface(i), plane, walls, atWall, team);
+        stress.store(i, x[i], slopes, 1 / OrderStress::removed, surface(i), plane, walls, atWall, team);
     }
 };
 

@@ -41,12 +41,15 @@ std::vector<Vec3> tensionOf(LiquidCase& drop, SurfaceTension& tension, const std
 
 }
 
+// Layers so thin that their sum is the integral, within 1e-4: its error goes with the square.
+constexpr float thin = 0.02f;
+
 // Where b is 1 all over, a sphere has |G| = 1 in all across it, what is inside and what is outside together; a plane half of it to
 // either side. Midpoints of a hundred parts: 1e-3.
 TEST(SurfaceLayer, SharesTheForceOutAcrossTheSurface)
 {
     const float largest = 0.5f;
-    const auto whole = tabulateSurfaceLayer(WendlandC2(4), {-2, -1}, largest);
+    const auto whole = tabulateSurfaceLayer(WendlandC2(4), {-2, -1}, thin, largest);
     const int last = int(whole.size()) - 1;
     EXPECT_NEAR(whole[last / 2], 1, 1e-3);
     for (int k = 0; k <= last; ++k) EXPECT_NEAR(whole[k] + whole[last - k], 2, 2e-3) << k;
@@ -65,12 +68,32 @@ TEST(SurfaceLayer, LeavesOutWhatIsNotSetIn)
         const double t = std::clamp((slope(s) / steepest - 0.2) / 0.2, 0.0, 1.0);
         return 2 * t * t * (3 - 2 * t) * slope(s);
     });
-    const auto table = tabulateSurfaceLayer(WendlandC2(4), {0.2f, 0.4f}, 0.7f);
+    const auto table = tabulateSurfaceLayer(WendlandC2(4), {0.2f, 0.4f}, thin, 0.7f);
     EXPECT_NEAR(table[table.size() / 2], expected, 1e-3);
     const SurfaceLayerView view{{table.data(), int(table.size())}, {}, 0.7f};
     EXPECT_EQ(view.sum(-1), table.front());                     // beyond its ends
     EXPECT_EQ(view.sum(1), table.back());
     EXPECT_NEAR(view.sum(0), expected, 1e-3);
+}
+
+// Layers that are drawn together or apart by 5 % have the same force, within half of a per cent: L of them over that of the spacing. Of a b that
+// sets in between two layers they have several per cent more or less.
+TEST(SurfaceLayer, IsTheSameHoweverFarTheLayersStandApart)
+{
+    const auto spread = [](const SetIn& b)
+    {
+        float least = 1e9f, most = 0;
+        for (const float spacing : {0.95f, 0.97f, 0.99f, 1.0f, 1.01f, 1.03f, 1.05f})
+        {
+            const auto table = tabulateSurfaceLayer(WendlandC2(4), b, spacing, 0.7f);
+            const float middle = table[table.size() / 2];
+            least = std::min(least, middle);
+            most = std::max(most, middle);
+        }
+        return most / least - 1;
+    };
+    EXPECT_LT(spread({0.1f, 0.8f}), 0.005f);
+    EXPECT_GT(spread({0.2f, 0.4f}), 0.03f);
 }
 
 // Where b is 1 all over: what lies deeper than s of a plane is the double integral of the kernel's ring, by parts (r - s) of each.
@@ -186,7 +209,7 @@ TEST(ContinuumSurfaceForce, PushesAlongTheSurfaceWhereTheCurvatureChanges)
     for (Vec3& p : points) p.z += A * std::cos(q * p.x);
     const auto force = tensionOf(drop, *tension, points);
     const auto states = surfaceStates(drop);
-    const auto table = tabulateDeeperPart(WendlandC2(4), {0.2f, 0.4f});
+    const auto table = tabulateDeeperPart(WendlandC2(4), {0.1f, 0.8f});
     const SurfaceLayerView view{{}, {table.data(), int(table.size())}, 1};
     for (const float depth : {0.5f, 1.5f})
     {
