@@ -51,6 +51,12 @@ struct OrderInCells
     }
 };
 
+// What sorting needs for a while, as large as a vector: it takes the memory of a field of these.
+struct WordsOfPoint
+{
+    std::uint32_t word[4];
+};
+
 // Of as many cells as a search of that reach visits along an axis, around points that are so many cells apart.
 std::uint32_t bitsOfSearch(float reach, float cell, int apart)
 {
@@ -90,12 +96,15 @@ Buffer<std::uint32_t> CellGrid::build(Span<const Vec3> positions, int n)
 {
     chooseSize(n);
     start_.setZero();
-    Buffer<std::uint32_t> keys(n), places(n), points(n);
-    forEach(n, CountInCells{view(), positions, keys.span(), places.span(), start_.span()});
+    Buffer<WordsOfPoint> words(n);
+    std::uint32_t* const first = reinterpret_cast<std::uint32_t*>(words.span().data);
+    const auto part = [&](std::size_t k) { return Span<std::uint32_t>{first + k * n, n}; };
+    const Span<std::uint32_t> keys = part(0), places = part(1), points = part(2);
+    forEach(n, CountInCells{view(), positions, keys, places, start_.span()});
     sumBefore(start_);
-    forEach(n, PutInCells{keys.span(), places.span(), start_.span(), points.span()});
-    Buffer<std::uint32_t> order = std::move(places);
-    forEach(n, OrderInCells{keys.span(), start_.span(), points.span(), order.span()});
+    forEach(n, PutInCells{keys, places, start_.span(), points});
+    Buffer<std::uint32_t> order(n);
+    forEach(n, OrderInCells{keys, start_.span(), points, order.span()});
     return order;
 }
 

@@ -1,6 +1,7 @@
 #include "neighbours/NeighbourList.H"
 
 #include "device/Algorithms.H"
+#include "device/Atomic.H"
 #include "neighbours/GroupSearch.H"
 
 #include <algorithm>
@@ -21,17 +22,32 @@ struct Search
 
 #ifdef __CUDACC__
 
-    // visit(j) for every neighbour j of point i.
-    template<class Visit>
-    HOST_DEVICE void forEach(int i, Visit visit) const
+    // visit(j, look(first, end)) for every neighbour j of point i: it is one of a range of candidates that were looked at together.
+    template<class Look, class Visit>
+    HOST_DEVICE void forEach(int i, Look look, Visit visit) const
     {
         const Vec3 p = points[i];
         const float support2 = support * support;
         const int self = sameSet ? i : -1;
-        grid.forEachCandidate(AroundPoint{p, support}, [&](int j)
+        grid.forEachRange(AroundPoint{p, support}, [&](int first, int end)
         {
-            if (squared(p - sources[j]) < support2 && j != self) visit(j);
+            const auto range = look(first, end);
+            for (int j = first; j < end; ++j)
+            {
+                if (squared(p - sources[j]) < support2 && j != self) visit(j, range);
+            }
         });
+    }
+
+    // Whether all that is looked at for point i lies in these windows.
+    HOST_DEVICE bool liesIn(const ListsOfGroup& list, int i) const
+    {
+        bool all = true;
+        grid.forEachRange(AroundPoint{points[i], support}, [&](int first, int end)
+        {
+            all &= first == end || list.windowOf(first, end) < ListsOfGroup::windows;
+        });
+        return all;
     }
 
     // visit(p, j, whether it is a neighbour of the group's p-th point), for one j after the other; each lane takes its turn, as often
@@ -78,7 +94,10 @@ struct Search
 struct LongestOfGroup
 {
     Span<const std::uint32_t> count;
-    std::uint32_t room;                     // rows
+    std::uint32_t room;                     // entries
+#ifdef __CUDACC__
+    Span<const ListsOfGroup> lists;
+#endif
     Span<std::uint32_t> length;
 
     HOST_DEVICE void operator()(int group) const
@@ -91,54 +110,111 @@ struct LongestOfGroup
         }
         constexpr std::uint32_t batch = device::batch;
         length[group] = longest > room ? (longest + batch - 1) / batch * batch : 0;
+#ifdef __CUDACC__
+        if (lists[group].hasHalves()) length[group] *= 2;
+#endif
     }
 };
 
 #ifdef __CUDACC__
 
 // A thread a point where points fill a GPU, else a warp for a group of them.
+constexpr int manyPoints = 1 << 16;
+
 template<class F>
 void forEachPoint(int n, const F& f)
 {
-    constexpr int many = 1 << 16;
-    if (n > many) forEach(n, f);
+    if (n > manyPoints) forEach(n, f);
     else forEachGroup(n, f);
+}
+
+// The windows of a group, around the cell of its first point and those below and above.
+HOST_DEVICE inline ListsOfGroup windowsAround(const CellGridView& grid, Vec3 p)
+{
+    ListsOfGroup list;
+    const int x = grid.cellOfX(p.x), y = grid.cellOf(p.y), z = grid.cellOf(p.z);
+    #pragma unroll
+    for (int k = 0; k < ListsOfGroup::windows; ++k)
+    {
+        const int middle = int(grid.start[int(grid.key(x, y, z + k - 1))]), half = int(ListsOfGroup::lengthOf(k) / 2);
+        list.add[k] = middle - half - int(ListsOfGroup::firstOf(k));
+    }
+    return list;
 }
 
 // Counts each particle's neighbours, and stores those that its group's room holds.
 struct FindNeighbours
 {
+    static constexpr int s = device::interleave;
+    static constexpr Holds holds = Holds::few;
+
     Search search;
-    int room;                               // rows
+    int room;                               // entries
     int most;                               // of what is counted
+    int roomsOfHalves;
+    bool halvesOfAll;
     std::uint32_t build;                    // which one this is
-    Span<std::uint32_t> count, start, tooLong;
+    Span<std::uint32_t> count;
+    Span<ListsOfGroup> lists;
+    Span<std::uint32_t> misfits;            // [0]: a list that is longer than its room, [1]: too few rooms for halves, [2]: groups with halves
     Span<NeighbourRow> rows;
 
     HOST_DEVICE void operator()(int i) const
     {
-        NeighbourRow* const free = firstRow(i);
-        int n = 0;
-        search.forEach(i, [&](int j)
+        const int group = i / s, place = i % s;
+        const Team warp{place, s};
+        const bool few = search.sources.size <= ListsOfGroup::all;          // each number is its own entry
+        ListsOfGroup list = few ? ListsOfGroup{} : windowsAround(search.grid, search.points[group * s]);
+        list.start = firstRow(group);
+        bool halves = warp.anyBeside(!few && search.grid.isAtCopysEdge(search.points[i]) && !search.liesIn(list, i));
+        int n;
+        #pragma unroll 1
+        for (;;)
         {
-            if (n < room) free[n].of[i % device::interleave] = std::uint32_t(j);
-            ++n;
-        });
+            if (halves)
+            {
+                const int which = warp.ofFirst(place == 0 ? int(increment(misfits[2])) : 0);
+                if (which >= roomsOfHalves)
+                {
+                    misfits[1] = build;
+                    n = 0;
+                    break;
+                }
+                list = withHalves(list, which);
+            }
+            bool fits = true;
+            n = 0;
+            search.forEach(i, [&](int first, int end) { return few || halves ? 0 : list.windowOf(first, end); }, [&](int j, int window)
+            {
+                fits &= window < ListsOfGroup::windows;
+                const int add = halves ? 0 : window == 0 ? list.add[0] : window == 1 ? list.add[1] : list.add[2];
+                if (n < room)
+                {
+                    rows[int(list.row()) + n].of[place] = std::uint16_t(j - add);
+                    if (halves) rows[list.add[0] + n].of[place] = std::uint16_t(j >> 16);
+                }
+                ++n;
+            });
+            if (!warp.anyBeside(!fits)) break;
+            halves = true;                  // once more: rarely but at the edge of a copy of the grid, where it was looked for before
+        }
         note(i, n);
+        if (place == 0) lists[group] = list;
     }
 
     HOST_DEVICE void operator()(Group group, Team team) const
     {
-        constexpr int s = device::interleave;       // a multiple of a group
-        NeighbourRow* const free = firstRow(group.first);
+        ListsOfGroup list{std::uint32_t(firstRow(group.first / s)), {}};
+        if (halvesOfAll) list = withHalves(list, group.first / s);
         int n[Group::most] = {};
         search.forEachTurn(group, team, [&](int p, int j, bool isNear)
         {
             const Team::Place place = team.place(isNear);
-            if (isNear & (n[p] + place.before < room)) free[n[p] + place.before].of[group.first % s + p] = std::uint32_t(j);
+            if (isNear & (n[p] + place.before < room)) store(rows, list, n[p] + place.before, group.first % s + p, j);
             n[p] += place.all;
         });
         if (!team.first()) return;
+        if (group.first % s == 0) lists[group.first / s] = list;
         #pragma unroll
         for (int p = 0; p < Group::most; ++p)
         {
@@ -146,14 +222,28 @@ struct FindNeighbours
         }
     }
 
-    HOST_DEVICE NeighbourRow* firstRow(int i) const { return rows.data + std::size_t(i / device::interleave) * room; }
+    // An entry of those lists.
+    HOST_DEVICE static void store(Span<NeighbourRow> rows, const ListsOfGroup& list, int k, int place, int j)
+    {
+        const bool halves = list.hasHalves();
+        const int window = halves ? 0 : list.windowOf(j, j + 1);
+        const int add = halves ? 0 : window == 0 ? list.add[0] : window == 1 ? list.add[1] : list.add[2];
+        rows[int(list.row()) + k].of[place] = std::uint16_t(j - add);
+        if (halves) rows[list.add[0] + k].of[place] = std::uint16_t(j >> 16);
+    }
+
+private:
+    HOST_DEVICE int firstRow(int group) const { return group * room; }
+
+    HOST_DEVICE ListsOfGroup withHalves(ListsOfGroup list, int which) const
+    {
+        return {list.start | ListsOfGroup::halves, {(lists.size + which) * room, 0, 0}};
+    }
 
     HOST_DEVICE void note(int i, int n) const
     {
-        constexpr int s = device::interleave;
         count[i] = std::uint32_t(n < most ? n : most);
-        if (n > room) tooLong[0] = build;
-        if (i % s == 0) start[i / s] = std::uint32_t(i / s) * std::uint32_t(room);
+        if (n > room) misfits[0] = build;
     }
 };
 
@@ -162,40 +252,45 @@ struct PlaceLongGroup
 {
     std::uint32_t behind;
     Span<const std::uint32_t> length, before;
-    Span<std::uint32_t> start;
+    Span<ListsOfGroup> lists;
 
     HOST_DEVICE void operator()(int group) const
     {
-        if (length[group] > 0) start[group] = behind + before[group];
+        if (length[group] == 0) return;
+        ListsOfGroup& list = lists[group];
+        const std::uint32_t start = behind + before[group];
+        if (list.hasHalves()) list.add[0] = int(start + length[group] / 2);
+        list.start = start | (list.start & ListsOfGroup::halves);
     }
 };
 
 // Their lists.
 struct StoreNeighbours
 {
+    static constexpr int s = device::interleave;
+
     Search search;
-    Span<const std::uint32_t> length, start;
+    Span<const std::uint32_t> length;
+    Span<const ListsOfGroup> lists;
     Span<NeighbourRow> rows;
 
     HOST_DEVICE void operator()(int i) const
     {
-        constexpr int s = device::interleave;
         if (length[i / s] == 0) return;
-        NeighbourRow* free = rows.data + start[i / s];
-        search.forEach(i, [&](int j) { (free++)->of[i % s] = std::uint32_t(j); });
+        const ListsOfGroup list = lists[i / s];
+        int n = 0;
+        search.forEach(i, [](int, int) { return 0; }, [&](int j, int) { FindNeighbours::store(rows, list, n++, i % s, j); });
     }
 
     HOST_DEVICE void operator()(Group group, Team team) const
     {
-        constexpr int s = device::interleave;
-        const int part = group.first / s;
-        if (length[part] == 0) return;
-        NeighbourRow* const free = rows.data + start[part];
+        if (length[group.first / s] == 0) return;
+        const ListsOfGroup list = lists[group.first / s];
         int n[Group::most] = {};
         search.forEachTurn(group, team, [&](int p, int j, bool isNear)
         {
             const Team::Place place = team.place(isNear);
-            if (isNear) free[n[p] + place.before].of[group.first % s + p] = std::uint32_t(j);
+            if (isNear) FindNeighbours::store(rows, list, n[p] + place.before, group.first % s + p, j);
             n[p] += place.all;
         });
     }
@@ -260,25 +355,31 @@ void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, 
 
 void NeighbourList::search(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
 {
-    const int groups = (n + device::interleave - 1) / device::interleave;
     count_.resizeDiscarding(n);
-    start_.resizeDiscarding(groups);
-    if (builds_++ == 0)
+    lists_.resizeDiscarding(groups());
+    if (builds_ == 0)
     {
-        tooLong_.resize(1);
-        tooLong_.setZero();
+        misfits_.resize(3);
+        misfits_.setZero();
     }
-    constexpr int all = std::numeric_limits<int>::max();
+    if (sources.size > ListsOfGroup::all && n <= manyPoints) roomsOfHalves_ = groups();
     asked_ = !longLists_;
-    find(points, n, grid, sources, sameSet, groups * room_, asked_ ? room_ : all);
-    if (asked_) readTooLong_.ask(tooLong_);
-    else storeLong(points, n, grid, sources, sameSet);
+    if (asked_)
+    {
+        find(points, n, grid, sources, sameSet, rowsOfRooms(), room_);
+        readMisfits_.ask(misfits_);
+        return;
+    }
+    findAll(points, n, grid, sources, sameSet);
+    storeLong(points, n, grid, sources, sameSet);
 }
 
 bool NeighbourList::cutOff()
 {
-    if (asked_) longLists_ = *readTooLong_.wait() == builds_;
-    return asked_ && longLists_;
+    if (!asked_) return false;
+    const std::uint32_t* const misfits = readMisfits_.wait();
+    longLists_ = misfits[0] == builds_;
+    return longLists_ || misfits[1] == builds_;
 }
 
 // Counts up to `most` entries of each list.
@@ -287,32 +388,56 @@ void NeighbourList::find
     Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet, int rows, int most
 )
 {
+    ++builds_;
     if (rows_.size() < rows)
     {
         rows_.discard();
         rows_.resize(rows);
     }
+    const bool windows = sources.size > ListsOfGroup::all;
+    if (windows) misfits_.setZero(2);
     forEachPoint(n, FindNeighbours
     {
-        {grid.view(), points, sources, support_, sameSet}, room_, most, builds_, count_.span(), start_.span(),
-        tooLong_.span(), rows_.span()
+        {grid.view(), points, sources, support_, sameSet}, room_, most, roomsOfHalves_, windows && n <= manyPoints, builds_,
+        count_.span(), lists_.span(), misfits_.span(), rows_.span()
     });
+}
+
+// All entries of each list, however many have to be stored in halves.
+void NeighbourList::findAll(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
+{
+    constexpr int all = std::numeric_limits<int>::max();
+    find(points, n, grid, sources, sameSet, rowsOfRooms(), all);
+    if (sources.size <= ListsOfGroup::all || n <= manyPoints) return;
+    readMisfits_.ask(misfits_);
+    if (makeRoomForHalves()) find(points, n, grid, sources, sameSet, rowsOfRooms(), all);
+}
+
+// Whether there was too little.
+bool NeighbourList::makeRoomForHalves()
+{
+    const std::uint32_t* const misfits = readMisfits_.wait();
+    if (misfits[1] != builds_) return false;
+    constexpr int most = 64;                                // groups of which one at least has such a room
+    roomsOfHalves_ = int(misfits[2] + misfits[2] / 4) + (groups() + most - 1) / most;
+    return true;
 }
 
 void NeighbourList::lengthen(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
 {
     if (!cutOff()) return;
     asked_ = false;
-    find(points, n, grid, sources, sameSet, start_.size() * room_, std::numeric_limits<int>::max());
+    makeRoomForHalves();
+    findAll(points, n, grid, sources, sameSet);
     storeLong(points, n, grid, sources, sameSet);
 }
 
 // With all lists counted.
 void NeighbourList::storeLong(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
 {
-    const int groups = start_.size(), inRooms = groups * room_;
-    groupLength_.resizeDiscarding(groups);
-    forEach(groups, LongestOfGroup{count_.span(), std::uint32_t(room_), groupLength_.span()});
+    const int inRooms = rowsOfRooms();
+    groupLength_.resizeDiscarding(groups());
+    forEach(groups(), LongestOfGroup{count_.span(), std::uint32_t(room_), lists_.span(), groupLength_.span()});
     const int behind = int(exclusiveScan(groupLength_, before_, "rows of neighbours"));
     longLists_ = behind > 0;
     if (!longLists_) return;
@@ -321,9 +446,9 @@ void NeighbourList::storeLong(Span<const Vec3> points, int n, const CellGrid& gr
         const int rows = inRooms + behind + std::max(behind / 4, inRooms / 64);
         find(points, n, grid, sources, sameSet, rows, std::numeric_limits<int>::max());
     }
-    forEach(groups, PlaceLongGroup{std::uint32_t(inRooms), groupLength_.span(), before_.span(), start_.span()});
+    forEach(groups(), PlaceLongGroup{std::uint32_t(inRooms), groupLength_.span(), before_.span(), lists_.span()});
     const Search search{grid.view(), points, sources, support_, sameSet};
-    forEachPoint(n, StoreNeighbours{search, groupLength_.span(), start_.span(), rows_.span()});
+    forEachPoint(n, StoreNeighbours{search, groupLength_.span(), lists_.span(), rows_.span()});
 
     // Of few points memory is little, and to wait for the sum of rows takes long.
     constexpr int few = 1 << 17, more = 8, most = 60;
@@ -335,12 +460,11 @@ void NeighbourList::storeLong(Span<const Vec3> points, int n, const CellGrid& gr
 void NeighbourList::search(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
 {
     const Search search{grid.view(), points, sources, support_, sameSet};
-    const int groups = (n + device::interleave - 1) / device::interleave;
     count_.resizeDiscarding(n);
     parts_.resize((n + partSize - 1) / partSize);
     forEach(int(parts_.size()), FindNeighbours{search, count_.span(), parts_.data()});
-    groupLength_.resizeDiscarding(groups);
-    forEach(groups, LongestOfGroup{count_.span(), 0, groupLength_.span()});
+    groupLength_.resizeDiscarding(groups());
+    forEach(groups(), LongestOfGroup{count_.span(), 0, groupLength_.span()});
     rows_.resizeDiscarding(int(exclusiveScan(groupLength_, start_, "rows of neighbours")));
     forEach(int(parts_.size()), CopyLists{parts_.data(), start_.span(), rows_.span()});
 }

@@ -73,6 +73,38 @@ struct VisitAlong
     }
 };
 
+// Whose neighbours within the support are those across edges and faces.
+struct Lattice
+{
+    static constexpr float spacing = 0.8f;      // those across a face's diagonal are 1.13 away, across a cube's 1.39
+
+    int edge;
+
+    std::vector<Vec3> points() const
+    {
+        std::vector<Vec3> points;
+        for (int z = 0; z < edge; ++z)
+            for (int y = 0; y < edge; ++y)
+                for (int x = 0; x < edge; ++x) points.push_back({spacing * float(x), spacing * float(y), spacing * float(z)});
+        return points;
+    }
+
+    // In ascending order.
+    std::vector<int> neighbours(int i, bool withItself) const
+    {
+        std::vector<int> found;
+        for (int z = -1; z <= 1; ++z)
+            for (int y = -1; y <= 1; ++y)
+                for (int x = -1; x <= 1; ++x)
+                {
+                    const int all = x * x + y * y + z * z, a = i % edge + x, b = i / edge % edge + y, c = i / (edge * edge) + z;
+                    const bool inside = std::min({a, b, c}) >= 0 && std::max({a, b, c}) < edge;
+                    if (all <= 2 && (all > 0 || withItself) && inside) found.push_back((c * edge + b) * edge + a);
+                }
+        return found;
+    }
+};
+
 std::vector<Vec3> shifted(std::vector<Vec3> points, Vec3 by)
 {
     for (Vec3& p : points) p += by;
@@ -219,29 +251,67 @@ TEST(NeighbourList, LengthensWhatItHasCutOff)
 // So many that a GPU takes a thread each: of a lattice, whose neighbours are known, with rooms for few and for all of a list.
 TEST(NeighbourList, FindsTheNeighboursOfManyPoints)
 {
-    constexpr int edge = 41;
-    constexpr float spacing = 0.8f;             // those across a face's diagonal are 1.13 away, across a cube's 1.39
-    std::vector<Vec3> points;
-    for (int z = 0; z < edge; ++z)
-        for (int y = 0; y < edge; ++y)
-            for (int x = 0; x < edge; ++x) points.push_back({spacing * float(x), spacing * float(y), spacing * float(z)});
+    const Lattice lattice{41};
+    const auto points = lattice.points();
     for (const int room : {4, 20})
     {
         NeighbourList list(support, room);
         auto lists = neighboursOf(points, points, true, list);
         for (int i = 0; i < int(points.size()); ++i)
         {
-            std::vector<int> expected;
-            for (int z = -1; z <= 1; ++z)
-                for (int y = -1; y <= 1; ++y)
-                    for (int x = -1; x <= 1; ++x)
-                    {
-                        const int all = x * x + y * y + z * z, a = i % edge + x, b = i / edge % edge + y, c = i / (edge * edge) + z;
-                        const bool inside = std::min({a, b, c}) >= 0 && std::max({a, b, c}) < edge;
-                        if ((all == 1 || all == 2) && inside) expected.push_back((c * edge + b) * edge + a);
-                    }
             std::sort(lists[i].begin(), lists[i].end());
-            ASSERT_EQ(lists[i], expected) << i << " with a room of " << room;
+            ASSERT_EQ(lists[i], lattice.neighbours(i, false)) << i << " with a room of " << room;
+        }
+    }
+}
+
+// Many that lie across the edge of the grid's copies, where indices of neighbours lie in many places: what finds no room on a GPU is cut off, made whole,
+// and finds room the next time. The grid of so many points has 32 cells along y and z.
+TEST(NeighbourList, FindsTheNeighboursOfManyPointsAcrossAnEdgeOfTheGrid)
+{
+    const Lattice lattice{41};
+    const std::vector<Vec3> points = shifted(lattice.points(), {0, 20 * support, 20 * support});
+    const Buffer<Vec3> unsorted(points);
+    CellGrid grid(support, support);
+    const std::vector<std::uint32_t> order = grid.build(unsorted.span(), unsorted.size()).download();
+    Buffer<Vec3> sorted;
+    gather(unsorted, Buffer<std::uint32_t>(order), sorted);
+    NeighbourList list(support, 20);
+    for (int turn = 0; turn < 2; ++turn)
+    {
+        list.search(sorted.span(), sorted.size(), grid, sorted.span(), true);
+        EXPECT_EQ(list.cutOff(), device::interleave > 1 && turn == 0);
+        list.lengthen(sorted.span(), sorted.size(), grid, sorted.span(), true);
+        auto lists = listsOf(list.view(), order, order);
+        for (int i = 0; i < int(points.size()); ++i)
+        {
+            std::sort(lists[i].begin(), lists[i].end());
+            ASSERT_EQ(lists[i], lattice.neighbours(i, false)) << i << " in turn " << turn;
+        }
+    }
+}
+
+// Points that follow each other lie anywhere among many sources, so that a group's neighbours are in more windows than a GPU has for it; twice, as the
+// second search knows that. With rooms for few and for all of a list.
+TEST(NeighbourList, FindsNeighboursInManyPlaces)
+{
+    const Lattice lattice{61};
+    const auto sources = lattice.points();
+    const std::size_t n = sources.size();
+    constexpr std::size_t prime = 104729;       // divides no power of 61
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < n; ++i) points.push_back(sources[i * prime % n]);
+    for (const int room : {4, 20})
+    {
+        NeighbourList list(support, room);
+        for (int turn = 0; turn < 2; ++turn)
+        {
+            auto lists = neighboursOf(points, sources, false, list);
+            for (std::size_t i = 0; i < n; ++i)
+            {
+                std::sort(lists[i].begin(), lists[i].end());
+                ASSERT_EQ(lists[i], lattice.neighbours(int(i * prime % n), true)) << i << " with a room of " << room;
+            }
         }
     }
 }
