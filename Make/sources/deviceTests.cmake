@@ -14,6 +14,7 @@ set(SHIZUKU_DEVICE_TESTS
     functionObjects/TestProbes.C
     functionObjects/TestRunTimeControl.C
     maths/TestKernel.C
+    maths/TestPackedDeviator.C
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C
     models/density/TestDensity.C

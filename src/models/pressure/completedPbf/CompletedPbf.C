@@ -61,13 +61,13 @@ struct RaisePressure
     float volume, densityVolume;            // V, V/S
     float ordering;                         // o
     float relaxation, epsilon, perPressure; // perPressure: dt^2/rho0
-    Span<const Vec3> x;
+    Span<Vec3> x;                           // gets w = dt^2/rho0 dp
     NeighbourView near;
     WallCompletion walls;
     FreeSurfaceView surface;
     HalfSpaceView plane;
     Span<const float> pressure;             // so far; of the first iteration that of the step before
-    Span<float> density, increase;
+    Span<float> density;
     Span<Vec3> push, order;                 // dt^2/rho0 (2 dp grad(walls) + e), dt^2/rho0 e; order may be empty
     Stress stress;
 
@@ -88,12 +88,12 @@ struct RaisePressure
 
         const float before = Stress::present ? 0 : pressure[i];
         const float step = relaxation * (density[i] - 1) / (sums.squares + squared(gradient) + epsilon);
-        const float raised = fmaxf(before + step / perPressure, own.lowestPressure);
-        increase[i] = (raised - before) * perPressure;
+        const float raised = fmaxf(before + step / perPressure, own.lowestPressure), increase = (raised - before) * perPressure;
+        x[i].w = increase;
 
         const Vec3 disorder = gradient - gas.gradient / fmaxf(norm(own.gradient), 1e-20f) * own.gradient;
-        const Vec3 e = 2 * increase[i] * ((raised < 0 ? -ordering : ordering) - 1) * disorder;
-        push[i] = 2 * increase[i] * wall.gradient + e;
+        const Vec3 e = 2 * increase * ((raised < 0 ? -ordering : ordering) - 1) * disorder;
+        push[i] = 2 * increase * wall.gradient + e;
         if (order.size > 0) order[i] = e;
     }
 };
@@ -103,33 +103,32 @@ struct Displace
 {
     Kernel W;
     float volume, perPressure;
-    Span<const Vec3> x;
+    Span<const Vec3> x;                     // with w = dt^2/rho0 dp
     NeighbourView near;
-    Span<const float> increase;
-    Span<const Vec3> push, internal;        // internal: of it what should not move the liquid as a whole; may be empty
+    Span<Vec3> moved;                       // holds the push before, then where it brings the particle
+    Span<const Vec3> internal;              // of the push what should not move the liquid as a whole, may be empty
     WallStop stop;
     Span<float> pressure;                   // of what has been displaced by: an increase that was only looked at is not in it
-    Span<Vec3> total, corrected;
+    Span<Vec3> total;
     Stress stress;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 xi = x[i];
-        const float own = increase[i];
         Team::Vector sum;
         const auto ownStress = stress[i];
-        near.forEach(i, xi, x, [&](auto j, auto r)
+        near.forEach(i, xi, x, [&]([[maybe_unused]] auto j, auto r)
         {
             const auto slope = W.g(norm(r)) * r;
-            sum += (increase[j] + own) * slope;
+            sum += (r.w + xi.w) * slope;
             if constexpr (Stress::present) sum -= (stress[j] + ownStress) * slope;
         }, team);
         const Vec3 step = volume * team.sum(sum);
-        const Vec3 admitted = stop(i, xi - step - push[i], team);
+        const Vec3 admitted = stop(i, xi - step - moved[i], team);
         if (!team.first()) return;
-        corrected[i] = admitted;
-        pressure[i] = (Stress::present ? 0 : pressure[i]) + own / perPressure;
-        if (internal.size > 0) total[i] += internal[i];
+        if (internal.size > 0) total[i] += internal[i];         // which may be what is moved
+        moved[i] = admitted;
+        pressure[i] = (Stress::present ? 0 : pressure[i]) + xi.w / perPressure;
     }
 };
 
@@ -167,8 +166,7 @@ public:
             extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
             oneAngle_ = walls.oneContactAngle();
         }
-        increase_.resizeDiscarding(liquid.all());
-        push_.resizeDiscarding(liquid.owned());
+        push_.resizeDiscarding(liquid.all());
         const int sliding = walls.held().all() ? 0 : liquid.owned();
         order_.resizeDiscarding(oneAngle_ ? 0 : sliding);
         if (iterations_ == 0)
@@ -179,7 +177,6 @@ public:
         if (iterations_ == 0)
         {
             stress_.resizeDiscarding(liquid.all());
-            shear_.resizeDiscarding(liquid.all());
             raisePressure(liquid, near, walls, stress(liquid));
         }
         else raisePressure(liquid, near, walls, NoOrderStress{});
@@ -195,7 +192,6 @@ public:
         {
             displace(liquid, near, walls, stress(liquid));
             stress_ = {};
-            shear_ = {};
         }
         else displace(liquid, near, walls, NoOrderStress{});
     }
@@ -204,7 +200,6 @@ public:
 
     InternalDisplacement takeDisplacement() override
     {
-        increase_ = {};
         push_ = {};
         order_ = {};
         Buffer<Vec3> total = std::move(total_);
@@ -241,8 +236,7 @@ private:
                     W, V, V / liquid.latticeSum(), ordering_, controls_.relaxation, controls_.epsilon,
                     dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
                     {extended_->view(), W.h, walls.view()}, surface_.view(), {plane_.span(), W.h},
-                    pressure_.span(), liquid.density.span(), increase_.span(), push_.span(),
-                    order_.span(), stress
+                    pressure_.span(), liquid.density.span(), push_.span(), order_.span(), stress
                 });
             },
             liquid.kernel()
@@ -253,7 +247,6 @@ private:
     template<class Stress>
     void displace(Liquid& liquid, const Neighbourhood& near, const Walls& walls, const Stress& stress)
     {
-        Buffer<Vec3> corrected(liquid.all());
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -261,18 +254,17 @@ private:
                 forEachTeam(liquid.owned(), Displace<Kernel, Stress>
                 {
                     W, liquid.particleVolume(), dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
-                    increase_.span(), push_.span(), internal(), walls.stop(liquid), pressure_.span(), total_.span(),
-                    corrected.span(), stress
+                    push_.span(), internal(), walls.stop(liquid), pressure_.span(), total_.span(), stress
                 });
             },
             liquid.kernel()
         );
-        liquid.predicted.swap(corrected);
+        liquid.predicted.swap(push_);
     }
 
     OrderStress stress(const Liquid& liquid)
     {
-        return {dt_ * dt_ / liquid.restDensity(), 0.5f * liquid.spacing(), stress_.span(), shear_.span()};
+        return {dt_ * dt_ / liquid.restDensity(), 0.5f * liquid.spacing(), stress_.span()};
     }
 
     Span<const Vec3> internal() const
@@ -291,9 +283,8 @@ private:
     float dt_ = 0;
     int iterations_ = 0;
     std::optional<ExtendedLiquid> extended_;
-    Buffer<float> increase_;
     bool oneAngle_ = false;
-    Buffer<Vec3> stress_, shear_;           // of the first iteration
+    Buffer<Vec3> stress_;                   // of the first iteration
     Buffer<Vec3> push_, order_, total_;     // empty: order_ with one contact angle, both where walls hold in all directions
     SteadyIterations steady_;
     std::optional<CoarseCorrection> coarse_;

@@ -122,15 +122,14 @@ std::vector<SymmTensor<Vec3>> deviators(const LiquidCase& drop, float layer)
     const ExtendedLiquid extended(liquid.kernel(), drop.walls.contactAngles(drop.surface.support()));
     Buffer<HalfSpaceValues> plane;
     plane.upload(tabulateHalfSpace(liquid.kernel()));
-    Buffer<Vec3> diagonal(liquid.owned()), other(liquid.owned());
+    Buffer<Vec3> ofParticle(liquid.owned());
     forEachTeam(liquid.owned(), StoreDeviator
     {
         W, liquid.particleVolume(), liquid.predicted.span(), drop.near.view(), {extended.view(), W.h, drop.walls.view()},
-        drop.surface.view(), {plane.span(), W.h}, {1, layer * liquid.spacing(), diagonal.span(), other.span()}
+        drop.surface.view(), {plane.span(), W.h}, {1, layer * liquid.spacing(), ofParticle.span()}
     });
-    const auto first = drop.inOrder(diagonal), second = drop.inOrder(other);
     std::vector<SymmTensor<Vec3>> result;
-    for (std::size_t i = 0; i < first.size(); ++i) result.push_back({first[i], second[i]});
+    for (const Vec3 words : drop.inOrder(ofParticle)) result.push_back(unpacked(words));
     return result;
 }
 
