@@ -12,6 +12,8 @@
 #include "device/openmp/Primitives.H"
 #endif
 
+#include <thrust/functional.h>
+
 #include <string>
 
 namespace shizuku
@@ -27,15 +29,6 @@ struct SaturatingSum
     {
         const std::uint32_t sum = a + b;
         return sum < a ? 0xffffffffu : sum;
-    }
-};
-
-struct Sum
-{
-    template<class T>
-    HOST_DEVICE T operator()(T a, T b) const
-    {
-        return a + b;
     }
 };
 
@@ -56,15 +49,19 @@ struct ValueOf
     HOST_DEVICE T operator()(int i) const { return i < values.size ? values[i] : T{}; }
 };
 
+// Of the end too: how many all are.
 struct PlaceChosen
 {
     Span<const std::uint8_t> chosen;
-    Span<const std::uint32_t> before;
-    Span<std::uint32_t> indices;
+    Span<std::uint32_t> before, indices;
+    Readback::Post all;
 
     HOST_DEVICE void operator()(int i) const
     {
-        if (chosen[i]) indices[int(before[i])] = std::uint32_t(i);
+        const std::uint32_t place = before[i], room = std::uint32_t(indices.size);
+        if (place < room && i < chosen.size && chosen[i]) indices[int(place)] = std::uint32_t(i);
+        if (place > room) before[i] = room;
+        if (i == chosen.size) all(place);
     }
 };
 
@@ -96,16 +93,26 @@ void sort(Buffer<std::uint64_t>& keys)
 
 void select(const Buffer<std::uint8_t>& chosen, Selection& selection)
 {
+    static Readback& unwanted = *new Readback;                  // to the end of the process
+    select(chosen, selection, chosen.size(), unwanted);
+}
+
+void select(const Buffer<std::uint8_t>& chosen, Selection& selection, int room, Readback& all)
+{
     const int n = chosen.size();
-    selection.indices.resizeDiscarding(n);
+    if (selection.indices.size() != room)
+    {
+        selection.indices.discard();
+        selection.indices.resize(room);
+    }
     selection.before.resizeDiscarding(n + 1);
     {
         ++deviceCounters().launches;
         const device::KernelTimer timer("select");
         constexpr std::uint32_t* unwanted = nullptr;
-        device::scan(Chosen{chosen.span()}, n + 1, selection.before.span().data, unwanted, Sum{});
+        device::scan(Chosen{chosen.span()}, n + 1, selection.before.span().data, unwanted, thrust::plus<std::uint32_t>{});
     }
-    forEach(n, PlaceChosen{chosen.span(), selection.before.span(), selection.indices.span()});
+    forEach(n + 1, PlaceChosen{chosen.span(), selection.before.span(), selection.indices.span(), all.ask()});
 }
 
 std::uint32_t exclusiveScan(const Buffer<std::uint32_t>& in, Buffer<std::uint32_t>& out, const char* list)
@@ -129,12 +136,12 @@ void sumBefore(Buffer<std::uint32_t>& numbers)
     ++deviceCounters().launches;
     const device::KernelTimer timer("scan");
     constexpr std::uint32_t* unwanted = nullptr;
-    device::scan(ValueOf<std::uint32_t>{numbers.span()}, numbers.size(), numbers.span().data, unwanted, Sum{});
+    device::scan(ValueOf<std::uint32_t>{numbers.span()}, numbers.size(), numbers.span().data, unwanted, thrust::plus<std::uint32_t>{});
 }
 
 std::uint64_t exclusiveScan(const Buffer<std::uint64_t>& in, Buffer<std::uint64_t>& out)
 {
-    return scan(in, out, Sum{});
+    return scan(in, out, thrust::plus<std::uint64_t>{});
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "device/Algorithms.H"
 #include "device/Holds.H"
+#include "device/KeptMemory.H"
 #include "maths/Lattice.H"
 
 #include <algorithm>
@@ -36,8 +37,7 @@ struct SumColour
     float volume;                           // V/S
     NeighbourSearch wide;
     Span<const std::uint32_t> selected;
-    Span<float> colour;
-    Span<Vec3> gradient;
+    Span<Vec3> gradient;                    // with w = the colour
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
@@ -57,8 +57,7 @@ struct SumColour
         const Vec3 G = team.sums(slopes);
         if (team.lane >= places.size) return;
         const int k = places.first + team.lane;
-        colour[k] = volume * (W.W(0) + sum);
-        gradient[k] = volume * G;
+        gradient[k] = {volume * G.x, volume * G.y, volume * G.z, volume * (W.W(0) + sum)};
     }
 };
 
@@ -74,26 +73,23 @@ struct Reconstruct
     Span<const float> depthOfRatio;
     float largestRatio, steepest, suction;
     Span<const std::uint32_t> place;
-    Span<Vec3> gradient;
-    Span<float> depth;                      // holds the colour before
+    Span<Vec3> gradient, position;
     Span<ContactLine> contact;
-    Span<float> lowestPressure;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const int k = int(place[i]);
         const Vec3 xi = x[i];
-        float colour = depth[k];
         Vec3 G = gradient[k];
+        float colour = G.w;
         const ContactLine line = findContact(i, xi, colour, G, team);
         const auto wall = completion(i, xi, line, team);
         if (!team.first()) return;
         colour += wall.value;
         G += wall.gradient;
         contact[k] = line;
-        gradient[k] = G;
-        depth[k] = depthOf(norm(G) / colour * W.h);
-        lowestPressure[k] = -suction;
+        gradient[k] = {G.x, G.y, G.z, -suction};
+        position[k] = {xi.x, xi.y, xi.z, depthOf(norm(G) / colour * W.h)};
     }
 
 private:
@@ -259,27 +255,53 @@ void FreeSurface::require(const Liquid& liquid, Walls& walls, float support, flo
 
 void FreeSurface::update(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
 {
+    search(liquid, near, walls);
+    if (cutOff()) search(liquid, near, walls);
+}
+
+bool FreeSurface::cutOff()
+{
+    if (asked_) found_ = int(*readCount_.wait());
+    asked_ = false;
+    return found_ > room_;
+}
+
+void FreeSurface::makeRoom()
+{
+    room_ = found_ + found_ / 4;
+    gradient_.discard();
+    position_.discard();
+    contact_.discard();
+    device::dropKeptMemory();               // of as many as there were: nobody asks for it again
+    gradient_.resize(room_);
+    position_.resize(room_);
+    contact_.resize(room_);
+}
+
+void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
+{
     if (!active()) return;
+    if (found_ > room_) makeRoom();
     if (!extended_) extended_.emplace(*kernel_, walls.contactAngles(kernel_->h));
     const int n = liquid.owned();
     Buffer<std::uint8_t> isNear(n);
     forEachTeam(n, FindSurface{near.view(), leastInside(liquid), isNear.span()});
-    select(isNear, particles_);
-
-    gradient_.resizeDiscarding(n);
-    depth_.resizeDiscarding(n);
-    contact_.resizeDiscarding(n);
-    lowestPressure_.resizeDiscarding(n);
+    select(isNear, particles_, room_, readCount_);
+    asked_ = true;
+    if (room_ == 0 && cutOff())
+    {
+        makeRoom();
+        select(isNear, particles_, room_, readCount_);
+    }
     const Span<const std::uint32_t> place = particles_.before.span();
     forEachGroup(particles_, SumColour
     {
-        *kernel_, liquid.particleVolume() / latticeSum_, near.wide(liquid), particles_.indices.span(), depth_.span(), gradient_.span()
+        *kernel_, liquid.particleVolume() / latticeSum_, near.wide(liquid), particles_.indices.span(), gradient_.span()
     });
     forEachTeam(particles_, Reconstruct
     {
         *kernel_, liquid.predicted.span(), {extended_->view(), kernel_->h, walls.view()}, {plane_.span(), kernel_->h},
-        depthOfRatio_.span(), largestRatio_, steepest_, suction_, place, gradient_.span(), depth_.span(), contact_.span(),
-        lowestPressure_.span()
+        depthOfRatio_.span(), largestRatio_, steepest_, suction_, place, gradient_.span(), position_.span(), contact_.span()
     });
 }
 

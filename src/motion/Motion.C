@@ -53,6 +53,7 @@ void displace(Liquid& liquid, const Buffer<Vec3>& acceleration, float dt)
 
 void updateVelocities(Liquid& liquid, float dt)
 {
+    liquid.velocity.resizeDiscarding(liquid.all());
     forEach(liquid.owned(), Update{1 / dt, liquid.predicted.span(), liquid.position.span(), liquid.velocity.span()});
 }
 

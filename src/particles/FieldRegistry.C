@@ -2,6 +2,8 @@
 
 #include "device/ForEach.H"
 
+#include <algorithm>
+
 namespace shizuku
 {
 
@@ -21,9 +23,9 @@ struct ReorderFields
     static constexpr int most = 4;          // of each type
 
     Span<const std::uint32_t> order;
-    Move<float> scalar[most];
-    Move<Vec3> vector[most];
-    Move<std::uint32_t> label[most];
+    Move<float> scalar[most] = {};
+    Move<Vec3> vector[most] = {};
+    Move<std::uint32_t> label[most] = {};
     int scalars = 0, vectors = 0, labels = 0;
 
     HOST_DEVICE void operator()(int i) const
@@ -61,9 +63,11 @@ void FieldRegistry::resize(int n)
 void FieldRegistry::reorder(const Buffer<std::uint32_t>& order)
 {
     std::vector<AnyBuffer> before;          // what is moved from, as long as it is
-    ReorderFields fields{.order = order.span()};
+    ReorderFields fields;
+    fields.order = order.span();
     const auto launch = [&]
     {
+        if (before.empty()) return;
         forEach(order.size(), fields);
         before.clear();
         fields.scalars = fields.vectors = fields.labels = 0;
@@ -76,12 +80,23 @@ void FieldRegistry::reorder(const Buffer<std::uint32_t>& order)
         field.swap(sorted);
         before.emplace_back(std::move(sorted));
     };
+    std::vector<AnyBuffer*> vectors, numbers;
     for (const auto& entry : entries_)
     {
-        if (!entry->info.sorted) continue;
-        if (auto* scalars = std::get_if<Buffer<float>>(&entry->values)) add(*scalars, fields.scalar, fields.scalars);
-        if (auto* vectors = std::get_if<Buffer<Vec3>>(&entry->values)) add(*vectors, fields.vector, fields.vectors);
-        if (auto* labels = std::get_if<Buffer<std::uint32_t>>(&entry->values)) add(*labels, fields.label, fields.labels);
+        const bool isVector = std::holds_alternative<Buffer<Vec3>>(entry->values);
+        if (entry->info.sorted) (isVector ? vectors : numbers).push_back(&entry->values);
+    }
+    // Of many particles a vector and a number at a time, so that little memory is needed beside the fields'.
+    constexpr int many = 1 << 16;
+    for (std::size_t k = 0; k < std::max(vectors.size(), numbers.size()); ++k)
+    {
+        if (k < vectors.size()) add(std::get<Buffer<Vec3>>(*vectors[k]), fields.vector, fields.vectors);
+        if (k < numbers.size())
+        {
+            if (auto* scalars = std::get_if<Buffer<float>>(numbers[k])) add(*scalars, fields.scalar, fields.scalars);
+            if (auto* labels = std::get_if<Buffer<std::uint32_t>>(numbers[k])) add(*labels, fields.label, fields.labels);
+        }
+        if (order.size() > many) launch();
     }
     launch();
 }

@@ -17,7 +17,7 @@ void predict(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& mo
     near.search(liquid, models.freeSurface->support());
     walls.search(liquid);
     move();
-    if (!near.cutOff() && !walls.cutOff()) return;          // asked late: by then the device has enough to do
+    if (!near.cutOff() && !walls.cutOff() && !models.freeSurface->cutOff()) return;     // asked late: by then the device has enough to do
     predictPositions(liquid, dt);
     near.lengthen(liquid);
     walls.lengthen(liquid);
@@ -45,9 +45,10 @@ void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, 
     models.bodyForce->apply(liquid, dt);
     predict(liquid, near, walls, models, dt, [&]
     {
-        models.freeSurface->update(liquid, near, walls);
+        models.freeSurface->search(liquid, near, walls);
         models.forces.applyBeforeIterations(liquid, near, walls, dt);
     });
+    liquid.velocity = {};                                   // is computed anew: its memory serves the pressure
     project(liquid, near, walls, *models.pressure, dt, [&] { models.forces.applyInIteration(liquid, near, walls, dt); });
 
     updateVelocities(liquid, dt);
@@ -63,7 +64,7 @@ void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, 
 void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, float dt)
 {
     if (!models.pressure->settles()) return;
-    predict(liquid, near, walls, models, 0, [&] { models.freeSurface->update(liquid, near, walls); });
+    predict(liquid, near, walls, models, 0, [&] { models.freeSurface->search(liquid, near, walls); });
     project(liquid, near, walls, *models.pressure, dt, [] {});
     liquid.position.swap(liquid.predicted);
     models.pressure->forget();

@@ -30,6 +30,13 @@ void Readback::ask(const Buffer<std::uint32_t>& words)
     device::launchQueue().enqueue<bring>(1, 32, words.span().data, words.size(), words_.data(), ++asked_);
 }
 
+Readback::Post Readback::ask()
+{
+    words_.resizeDiscarding(2);
+    words_.data()[0] = 0;
+    return {words_.data() + 1, words_.data(), ++asked_};
+}
+
 const std::uint32_t* Readback::wait()
 {
     device::LaunchQueue& queue = device::launchQueue();

@@ -52,6 +52,12 @@ void Readback::ask(const Buffer<std::uint32_t>& words)
     words.download(words_.data(), words.size());
 }
 
+Readback::Post Readback::ask()
+{
+    words_.resizeDiscarding(1);
+    return {words_.data(), nullptr, 0};
+}
+
 const std::uint32_t* Readback::wait() { return words_.data(); }
 
 namespace device

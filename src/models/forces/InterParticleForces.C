@@ -27,9 +27,7 @@ void InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& 
 
 InternalDisplacement InterParticleForces::takeDisplacement(float dt)
 {
-    Buffer<Vec3> acceleration = std::move(acceleration_);
-    if (everyIteration_ || !tension_->isInternal()) return {};
-    return {std::move(acceleration), dt * dt};
+    return {std::move(acceleration_), dt * dt};
 }
 
 void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt)
@@ -41,6 +39,7 @@ void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const
     tension_->apply(liquid, near, walls, acceleration_);
     wetting_->apply(liquid, near, walls, acceleration_);
     displace(liquid, acceleration_, dt);
+    if (everyIteration_ || !tension_->isInternal() || walls.held().all()) acceleration_ = {};
 }
 
 }

@@ -62,6 +62,25 @@ TEST(Algorithms, SelectListsWhatIsChosenInItsOrder)
     }
 }
 
+// Where there is room for some the first ones are listed, and all are counted.
+TEST(Algorithms, SelectListsAsManyAsThereIsRoomFor)
+{
+    constexpr int n = 1000;
+    std::vector<std::uint8_t> chosen(n);
+    for (int i = 0; i < n; ++i) chosen[i] = i % 3 == 0;
+    for (const std::uint32_t room : {0u, 1u, 200u, 334u, 500u})
+    {
+        Selection selection;
+        Readback all;
+        select(Buffer<std::uint8_t>(chosen), selection, int(room), all);
+        EXPECT_EQ(*all.wait(), 334u);
+        const auto before = selection.before.download(), indices = selection.indices.download();
+        for (int i = 0; i <= n; ++i) ASSERT_EQ(before[i], std::min(std::uint32_t(i + 2) / 3, room)) << i;
+        ASSERT_EQ(indices.size(), room);
+        for (std::uint32_t k = 0; k < std::min(room, 334u); ++k) ASSERT_EQ(indices[k], 3 * k);
+    }
+}
+
 TEST(Algorithms, ExclusiveScanReturnsTheTotalBehindThePrefixSums)
 {
     RandomNumbers random(5);

@@ -24,9 +24,36 @@ TEST(FreeSurface, ThatNobodyAskedForCostsNothing)
     surface.update(drop.liquid, drop.near, drop.walls);
     EXPECT_FALSE(surface.active());
     EXPECT_EQ(surface.support(), 0);
-    EXPECT_EQ(surface.view().depth.size, 0);
+    EXPECT_EQ(surface.view().position.size, 0);
     EXPECT_EQ(deviceCounters().launches, before.launches);
     EXPECT_EQ(deviceCounters().bytes, before.bytes);
+}
+
+// In parts: of a drop that has grown those are left out for whom there was no room; searched for once more all are there, as if it had been
+// looked at for the first time. Memory is for a quarter more than are near the surface.
+TEST(FreeSurface, FindsRoomWhenItGrows)
+{
+    LiquidCase drop;
+    drop.surface.require(drop.liquid, drop.walls, 4, 0);
+    drop.place(latticeBall(4));
+    EXPECT_FALSE(drop.surface.cutOff());
+    const int before = drop.surface.view().position.size;
+    LiquidCase large;
+    large.surface.require(large.liquid, large.walls, 4, 0);
+    large.place(latticeBall(8));
+    const int room = large.surface.view().position.size;
+    EXPECT_GT(room, 2 * before);
+
+    drop.surface.search(large.liquid, large.near, large.walls);
+    EXPECT_EQ(drop.surface.view().position.size, before);
+    EXPECT_TRUE(drop.surface.cutOff());
+    drop.surface.search(large.liquid, large.near, large.walls);
+    EXPECT_FALSE(drop.surface.cutOff());
+    ASSERT_EQ(drop.surface.view().position.size, room);
+    const auto expected = large.surface.particles().indices.download(), found = drop.surface.particles().indices.download();
+    const auto count = large.surface.particles().before.download().back();
+    EXPECT_EQ(room, int(count + count / 4));
+    for (std::uint32_t k = 0; k < count; ++k) ASSERT_EQ(found[k], expected[k]);
 }
 
 // A lattice below z = 0, its first layer half a spacing below: |G| and depth of each layer against the integrals over the

@@ -55,15 +55,6 @@ constexpr float holds = 1.5f;               // lowest pressure at a hollow surfa
 constexpr float trusted = 4;                // kappa' from which a single kappa stands, over its distance from kappa'
 constexpr float flattest = 0.05f;           // least sin(theta) for the distance from the contact line
 
-struct PackPositions
-{
-    Span<const std::uint32_t> place;
-    Span<const Vec3> x;
-    Span<Vec3> packed;
-
-    HOST_DEVICE void operator()(int i) const { packed[int(place[i])] = x[i]; }
-};
-
 HOST_DEVICE inline auto onSameSurface(Vec3 mi, Vector auto mj) { return squared(mj) > 0.25f && dot(mi, mj) >= 0; }
 
 // Single normals are tilted by a few degrees where the particles stand in layers along a wall; their mean is not.
@@ -74,8 +65,7 @@ struct SmoothNormal
     float steepest;                         // the planar |G|
     FreeSurfaceView surface;
     SelectedSearch near;
-    Span<Vec3> normal;                      // zero away from the surface
-    Span<float> part;                       // b
+    Span<Vec3> normal;                      // with w = b; zero away from the surface
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
@@ -101,29 +91,19 @@ struct SmoothNormal
         const int k = places.first + team.lane;
         const Vec3 G = surface.gradient[k], sum = sums - W.W(0) * G;
         const bool isNear = (group.members >> team.lane & 1) != 0;
-        normal[k] = isNear ? 1 / norm(sum) * sum : Vec3{};
-        part[k] = isNear ? setIn(norm(G) / steepest) : 0;
+        Vec3 mean = isNear ? 1 / norm(sum) * sum : Vec3{};
+        mean.w = isNear ? setIn(norm(G) / steepest) : 0;
+        normal[k] = mean;
     }
 };
-
-// What a particle near the surface is to others.
-template<class Normal, class Number>
-struct OnSurface
-{
-    Normal normal;
-    Number part, depth;
-};
-template<class Normal, class Number>
-OnSurface(Normal, Number, Number) -> OnSurface<Normal, Number>;
 
 struct Curvature
 {
     WendlandC2 W;
     float volume, largest;
     FreeSurfaceView surface;
-    Span<const Vec3> normal;
-    Span<const float> part;
-    SelectedSearch near;
+    Span<const Vec3> normal;                // with w = b
+    SelectedSearch near;                    // among positions with w = depth
     Span<const std::uint32_t> selected;
     ExtendedLiquidView extended;
     WallView walls;
@@ -139,22 +119,21 @@ struct Curvature
         {
             group.index[p] = places[p];
             normals[p] = normal[places[p]];
-            own[p] = surface.depth[places[p]];
+            own[p] = near.points[places[p]].w;
             if (p < places.size && squared(normals[p]) > 0) group.members |= 1u << p;
         }
         Team::Float spreads[Group::most] = {}, weights[Group::most] = {}, depths[Group::most] = {};
-        const auto read = [&](auto l) { return OnSurface{normal[l], part[l], surface.depth[l]}; };
-        near.forEach(group, read, [&](int p, auto other, auto r)
+        near.forEach(group, [&](auto l) { return normal[l]; }, [&](int p, auto other, auto r)
         {
-            const auto same = onSameSurface(normals[p], other.normal);
+            const auto same = onSameSurface(normals[p], other);
             if (noneOf(same)) return;
-            const auto mean = normals[p] + other.normal;
-            const auto slope = same ? -volume * other.part * W.g(norm(r)) : 0;
+            const auto mean = normals[p] + other;
+            const auto slope = same ? -volume * other.w * W.g(norm(r)) : 0;
             const auto up = dot(r, mean);
             const auto along = same ? slope * (squared(r) - up * up / squared(mean)) : 0;
-            spreads[p] -= slope * dot(r, other.normal - normals[p]);
+            spreads[p] -= slope * dot(r, other - normals[p]);
             weights[p] += along;
-            depths[p] += along * 0.5f * (own[p] + other.depth);
+            depths[p] += along * 0.5f * (own[p] + r.w);
         }, team);
         const float spread = team.sums(spreads), weight = team.sums(weights), depth = team.sums(depths);
         if ((group.members >> team.lane & 1) == 0) return;
@@ -168,7 +147,7 @@ private:
     {
         const int i = int(selected[k]);
         const Vec3 xi = near.points[k], mi = normal[k];
-        const float own = surface.depth[k];
+        const float own = xi.w;
         const ContactLine line = surface.contact[k];
         walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
         {
@@ -196,9 +175,9 @@ struct Force
     Span<const Vec3> x;
     NeighbourView near;
     FreeSurfaceView surface;
-    Span<const Vec3> normal;
-    Span<const float> part, curvature;
-    Span<float> lowestPressure;
+    Span<const Vec3> normal;                        // with w = b
+    Span<const float> curvature;
+    Span<Vec3> gradient;                            // with w = the lowest pressure
     Span<Vec3> acceleration;
 
     HOST_DEVICE void operator()(int i, Team team) const
@@ -206,15 +185,17 @@ struct Force
         const int k = int(surface.place[i]);
         const Vec3 xi = x[i], mi = normal[k];
         if (squared(mi) == 0) return;
-        const float own = curvature[k], ownWeight = W.W(0) * part[k];
+        const float own = curvature[k], ownWeight = W.W(0) * mi.w;
         float weight = 0, sum = 0, spread = 0;
         Vec3 slopes = {};
         near.forEach(i, [&](int j)
         {
             const int l = int(surface.place[j]);
-            if (int(surface.place[j + 1]) == l || !onSameSurface(mi, normal[l])) return;
+            if (int(surface.place[j + 1]) == l) return;
+            const Vec3 other = normal[l];
+            if (!onSameSurface(mi, other)) return;
             const Vec3 r = x[j] - xi, t = r - dot(r, mi) * mi;
-            const float w = W.W(norm(r)) * part[l];
+            const float w = W.W(norm(r)) * other.w;
             weight += w;
             sum += w * curvature[l];
             slopes += w * (curvature[l] - own) * t;
@@ -228,10 +209,10 @@ struct Force
         const float mean = weight > 0 ? sum / weight : own, away = fabsf(own - mean);
         const float u = mean > trusted * away ? 1 : fmaxf(mean, 0) / fmaxf(trusted * away, 1e-20f);
         const float kappa = mean + u * u * (3 - 2 * u) * (own - mean), jump = sigma * kappa;
-        lowestPressure[k] = fminf(fmaxf(holds * jump, lowestPressure[k]), 0);
-        const Vec3 G = surface.gradient[k];
+        const Vec3 G = gradient[k];
+        gradient[k].w = fminf(fmaxf(holds * jump, G.w), 0);
         const Vec3 g = spread > 0 ? 2 / spread * slope : Vec3{};
-        acceleration[i] += 1 / restDensity * (2 * jump / layer.sum(kappa) * part[k] * G
+        acceleration[i] += 1 / restDensity * (2 * jump / layer.sum(kappa) * mi.w * G
                                               - along * sigma * layer.deeper(norm(G) / steepest) * g);
     }
 };
@@ -265,25 +246,25 @@ public:
         const WendlandC2 W = surface_.kernel();
         const float most = sharpest / liquid.spacing();
         if (!extended_) tabulate(walls, liquid.spacing());
-        Buffer<Vec3> position(liquid.owned()), normal(liquid.owned());      // of the particles near the surface
-        Buffer<float> part(liquid.owned()), curvature(liquid.owned());
+        const int room = surface_.particles().indices.size();
+        Buffer<Vec3> normal(room);
+        Buffer<float> curvature(room);
         const FreeSurfaceView view = surface_.view();
-        const SelectedSearch among = near.wide(surface_.particles(), position);
-        forEach(surface_.particles(), PackPositions{view.place, liquid.predicted.span(), position.span()});
+        const SelectedSearch among = near.wide(surface_.particles(), surface_.position());
         forEachGroup(surface_.particles(), SmoothNormal
         {
-            W, usualSetIn, surface_.steepest(), view, among, normal.span(), part.span()
+            W, usualSetIn, surface_.steepest(), view, among, normal.span()
         });
         forEachGroup(surface_.particles(), Curvature
         {
-            W, liquid.particleVolume(), most, view, normal.span(), part.span(), among,
+            W, liquid.particleVolume(), most, view, normal.span(), among,
             surface_.particles().indices.span(), extended_->view(), walls.view(), curvature.span()
         });
         forEachTeam(surface_.particles(), Force
         {
             W, {sums_.span(), parts_.span(), most}, sigma_, liquid.restDensity(), surface_.steepest(),
             alongPart(), liquid.predicted.span(), near.view(), view,
-            normal.span(), part.span(), curvature.span(), surface_.lowestPressure(), acceleration.span()
+            normal.span(), curvature.span(), surface_.gradient(), acceleration.span()
         });
     }
 
