@@ -111,7 +111,7 @@ struct LongestOfGroup
         constexpr std::uint32_t batch = device::batch;
         length[group] = longest > room ? (longest + batch - 1) / batch * batch : 0;
 #ifdef __CUDACC__
-        if (lists[group].hasHalves()) length[group] *= 2;
+        if (lists[group].isWide()) length[group] *= 2;
 #endif
     }
 };
@@ -119,12 +119,11 @@ struct LongestOfGroup
 #ifdef __CUDACC__
 
 // A thread a point where points fill a GPU, else a warp for a group of them.
-constexpr int manyPoints = 1 << 16;
-
 template<class F>
 void forEachPoint(int n, const F& f)
 {
-    if (n > manyPoints) forEach(n, f);
+    constexpr int many = 1 << 16;
+    if (n > many) forEach(n, f);
     else forEachGroup(n, f);
 }
 
@@ -151,52 +150,54 @@ struct FindNeighbours
     Search search;
     int room;                               // entries
     int most;                               // of what is counted
-    int roomsOfHalves;
-    bool halvesOfAll;
+    bool allWide;
+    int roomsOfWide;                        // where not all groups are
     std::uint32_t build;                    // which one this is
     Span<std::uint32_t> count;
     Span<ListsOfGroup> lists;
-    Span<std::uint32_t> misfits;            // [0]: a list that is longer than its room, [1]: too few rooms for halves, [2]: groups with halves
+    Span<std::uint32_t> misfits;            // [0]: a list that is longer than its room, [1]: too few rooms of wide groups, [2]: wide groups
     Span<NeighbourRow> rows;
 
     HOST_DEVICE void operator()(int i) const
     {
         const int group = i / s, place = i % s;
         const Team warp{place, s};
-        const bool few = search.sources.size <= ListsOfGroup::all;          // each number is its own entry
-        ListsOfGroup list = few ? ListsOfGroup{} : windowsAround(search.grid, search.points[group * s]);
-        list.start = firstRow(group);
-        bool halves = warp.anyBeside(!few && search.grid.isAtCopysEdge(search.points[i]) && !search.liesIn(list, i));
+        ListsOfGroup list = allWide ? ListsOfGroup{wideRoom(0, group), {}} : windowsAround(search.grid, search.points[group * s]);
+        if (!allWide) list.start = std::uint32_t(group * room);
+        bool wide = allWide;
+        bool becomesWide = warp.anyBeside(!wide && search.grid.isAtCopysEdge(search.points[i]) && !search.liesIn(list, i));
         int n;
         #pragma unroll 1
         for (;;)
         {
-            if (halves)
+            if (becomesWide)
             {
                 const int which = warp.ofFirst(place == 0 ? int(increment(misfits[2])) : 0);
-                if (which >= roomsOfHalves)
+                if (which >= roomsOfWide)
                 {
                     misfits[1] = build;
                     n = 0;
                     break;
                 }
-                list = withHalves(list, which);
+                list.start = wideRoom(lists.size * room, which);
+                wide = true;
             }
             bool fits = true;
             n = 0;
-            search.forEach(i, [&](int first, int end) { return few || halves ? 0 : list.windowOf(first, end); }, [&](int j, int window)
+            search.forEach(i, [&](int first, int end) { return wide ? 0 : list.windowOf(first, end); }, [&](int j, int window)
             {
                 fits &= window < ListsOfGroup::windows;
-                const int add = halves ? 0 : window == 0 ? list.add[0] : window == 1 ? list.add[1] : list.add[2];
+                const int add = window == 0 ? list.add[0] : window == 1 ? list.add[1] : list.add[2];
                 if (n < room)
                 {
-                    rows[int(list.row()) + n].of[place] = std::uint16_t(j - add);
-                    if (halves) rows[list.add[0] + n].of[place] = std::uint16_t(j >> 16);
+                    NeighbourRow* const free = rows.data + list.row();
+                    if (wide) free[2 * n].index(place) = std::uint32_t(j);
+                    else free[n].of[place] = std::uint16_t(j - add);
                 }
                 ++n;
             });
             if (!warp.anyBeside(!fits)) break;
-            halves = true;                  // once more: rarely but at the edge of a copy of the grid, where it was looked for before
+            becomesWide = true;             // once more: rarely but at the edge of a copy of the grid, where it was looked for before
         }
         note(i, n);
         if (place == 0) lists[group] = list;
@@ -204,8 +205,7 @@ struct FindNeighbours
 
     HOST_DEVICE void operator()(Group group, Team team) const
     {
-        ListsOfGroup list{std::uint32_t(firstRow(group.first / s)), {}};
-        if (halvesOfAll) list = withHalves(list, group.first / s);
+        const ListsOfGroup list{wideRoom(0, group.first / s), {}};           // few points: all groups are wide
         int n[Group::most] = {};
         search.forEachTurn(group, team, [&](int p, int j, bool isNear)
         {
@@ -225,20 +225,18 @@ struct FindNeighbours
     // An entry of those lists.
     HOST_DEVICE static void store(Span<NeighbourRow> rows, const ListsOfGroup& list, int k, int place, int j)
     {
-        const bool halves = list.hasHalves();
-        const int window = halves ? 0 : list.windowOf(j, j + 1);
-        const int add = halves ? 0 : window == 0 ? list.add[0] : window == 1 ? list.add[1] : list.add[2];
-        rows[int(list.row()) + k].of[place] = std::uint16_t(j - add);
-        if (halves) rows[list.add[0] + k].of[place] = std::uint16_t(j >> 16);
+        NeighbourRow* const first = rows.data + list.row();
+        if (list.isWide())
+        {
+            first[2 * k].index(place) = std::uint32_t(j);
+            return;
+        }
+        const int window = list.windowOf(j, j + 1);
+        first[k].of[place] = std::uint16_t(j - (window == 0 ? list.add[0] : window == 1 ? list.add[1] : list.add[2]));
     }
 
 private:
-    HOST_DEVICE int firstRow(int group) const { return group * room; }
-
-    HOST_DEVICE ListsOfGroup withHalves(ListsOfGroup list, int which) const
-    {
-        return {list.start | ListsOfGroup::halves, {(lists.size + which) * room, 0, 0}};
-    }
+    HOST_DEVICE std::uint32_t wideRoom(int first, int which) const { return std::uint32_t(first + 2 * which * room) | ListsOfGroup::wide; }
 
     HOST_DEVICE void note(int i, int n) const
     {
@@ -257,10 +255,8 @@ struct PlaceLongGroup
     HOST_DEVICE void operator()(int group) const
     {
         if (length[group] == 0) return;
-        ListsOfGroup& list = lists[group];
-        const std::uint32_t start = behind + before[group];
-        if (list.hasHalves()) list.add[0] = int(start + length[group] / 2);
-        list.start = start | (list.start & ListsOfGroup::halves);
+        std::uint32_t& start = lists[group].start;
+        start = (behind + before[group]) | (start & ListsOfGroup::wide);
     }
 };
 
@@ -362,16 +358,9 @@ void NeighbourList::search(Span<const Vec3> points, int n, const CellGrid& grid,
         misfits_.resize(3);
         misfits_.setZero();
     }
-    if (sources.size > ListsOfGroup::all && n <= manyPoints) roomsOfHalves_ = groups();
     asked_ = !longLists_;
-    if (asked_)
-    {
-        find(points, n, grid, sources, sameSet, rowsOfRooms(), room_);
-        readMisfits_.ask(misfits_);
-        return;
-    }
-    findAll(points, n, grid, sources, sameSet);
-    storeLong(points, n, grid, sources, sameSet);
+    find(points, n, grid, sources, sameSet, rowsOfRooms(), asked_ ? room_ : std::numeric_limits<int>::max());
+    if (!asked_) storeLong(points, n, grid, sources, sameSet);
 }
 
 bool NeighbourList::cutOff()
@@ -394,32 +383,22 @@ void NeighbourList::find
         rows_.discard();
         rows_.resize(rows);
     }
-    const bool windows = sources.size > ListsOfGroup::all;
-    if (windows) misfits_.setZero(2);
+    if (!isWide()) misfits_.setZero(2);
     forEachPoint(n, FindNeighbours
     {
-        {grid.view(), points, sources, support_, sameSet}, room_, most, roomsOfHalves_, windows && n <= manyPoints, builds_,
-        count_.span(), lists_.span(), misfits_.span(), rows_.span()
+        {grid.view(), points, sources, support_, sameSet}, room_, most, isWide(), roomsOfWide_, builds_, count_.span(), lists_.span(),
+        misfits_.span(), rows_.span()
     });
-}
-
-// All entries of each list, however many have to be stored in halves.
-void NeighbourList::findAll(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
-{
-    constexpr int all = std::numeric_limits<int>::max();
-    find(points, n, grid, sources, sameSet, rowsOfRooms(), all);
-    if (sources.size <= ListsOfGroup::all || n <= manyPoints) return;
     readMisfits_.ask(misfits_);
-    if (makeRoomForHalves()) find(points, n, grid, sources, sameSet, rowsOfRooms(), all);
 }
 
 // Whether there was too little.
-bool NeighbourList::makeRoomForHalves()
+bool NeighbourList::makeRoomForWide()
 {
     const std::uint32_t* const misfits = readMisfits_.wait();
     if (misfits[1] != builds_) return false;
     constexpr int most = 64;                                // groups of which one at least has such a room
-    roomsOfHalves_ = int(misfits[2] + misfits[2] / 4) + (groups() + most - 1) / most;
+    roomsOfWide_ = int(misfits[2] + misfits[2] / 4) + (groups() + most - 1) / most;
     return true;
 }
 
@@ -427,18 +406,23 @@ void NeighbourList::lengthen(Span<const Vec3> points, int n, const CellGrid& gri
 {
     if (!cutOff()) return;
     asked_ = false;
-    makeRoomForHalves();
-    findAll(points, n, grid, sources, sameSet);
+    makeRoomForWide();
+    find(points, n, grid, sources, sameSet, rowsOfRooms(), std::numeric_limits<int>::max());
     storeLong(points, n, grid, sources, sameSet);
 }
 
 // With all lists counted.
 void NeighbourList::storeLong(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
 {
-    const int inRooms = rowsOfRooms();
     groupLength_.resizeDiscarding(groups());
     forEach(groups(), LongestOfGroup{count_.span(), std::uint32_t(room_), lists_.span(), groupLength_.span()});
     const int behind = int(exclusiveScan(groupLength_, before_, "rows of neighbours"));
+    if (!isWide() && makeRoomForWide())
+    {
+        find(points, n, grid, sources, sameSet, rowsOfRooms(), std::numeric_limits<int>::max());
+        return storeLong(points, n, grid, sources, sameSet);
+    }
+    const int inRooms = rowsOfRooms();
     longLists_ = behind > 0;
     if (!longLists_) return;
     if (rows_.size() - inRooms < behind)
@@ -451,8 +435,8 @@ void NeighbourList::storeLong(Span<const Vec3> points, int n, const CellGrid& gr
     forEachPoint(n, StoreNeighbours{search, groupLength_.span(), lists_.span(), rows_.span()});
 
     // Of few points memory is little, and to wait for the sum of rows takes long.
-    constexpr int few = 1 << 17, more = 8, most = 60;
-    if (n <= few && room_ < most) room_ += more;
+    constexpr int more = 8, most = 60;
+    if (n <= fewPoints && room_ < most) room_ += more;
 }
 
 #else

@@ -248,29 +248,33 @@ TEST(NeighbourList, LengthensWhatItHasCutOff)
     }
 }
 
-// So many that a GPU takes a thread each: of a lattice, whose neighbours are known, with rooms for few and for all of a list.
+// So many that a GPU takes a thread each, and that it stores them in windows: of a lattice, whose neighbours are known, with rooms for few and for
+// all of a list.
 TEST(NeighbourList, FindsTheNeighboursOfManyPoints)
 {
-    const Lattice lattice{41};
-    const auto points = lattice.points();
-    for (const int room : {4, 20})
+    for (const int edge : {41, 52})
     {
-        NeighbourList list(support, room);
-        auto lists = neighboursOf(points, points, true, list);
-        for (int i = 0; i < int(points.size()); ++i)
+        const Lattice lattice{edge};
+        const auto points = lattice.points();
+        for (const int room : {4, 20})
         {
-            std::sort(lists[i].begin(), lists[i].end());
-            ASSERT_EQ(lists[i], lattice.neighbours(i, false)) << i << " with a room of " << room;
+            NeighbourList list(support, room);
+            auto lists = neighboursOf(points, points, true, list);
+            for (int i = 0; i < int(points.size()); ++i)
+            {
+                std::sort(lists[i].begin(), lists[i].end());
+                ASSERT_EQ(lists[i], lattice.neighbours(i, false)) << i << " of " << points.size() << " with a room of " << room;
+            }
         }
     }
 }
 
 // Many that lie across the edge of the grid's copies, where indices of neighbours lie in many places: what finds no room on a GPU is cut off, made whole,
-// and finds room the next time. The grid of so many points has 32 cells along y and z.
+// and finds room the next time. The grid of so many points has 64 cells along y and 32 along z.
 TEST(NeighbourList, FindsTheNeighboursOfManyPointsAcrossAnEdgeOfTheGrid)
 {
-    const Lattice lattice{41};
-    const std::vector<Vec3> points = shifted(lattice.points(), {0, 20 * support, 20 * support});
+    const Lattice lattice{52};
+    const std::vector<Vec3> points = shifted(lattice.points(), {0, 50 * support, 20 * support});
     const Buffer<Vec3> unsorted(points);
     CellGrid grid(support, support);
     const std::vector<std::uint32_t> order = grid.build(unsorted.span(), unsorted.size()).download();

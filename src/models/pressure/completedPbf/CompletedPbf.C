@@ -101,6 +101,8 @@ struct RaisePressure
 template<class Kernel, class Stress>
 struct Displace
 {
+    static constexpr Holds holds = Stress::present ? Holds::more : Holds::few;
+
     Kernel W;
     float volume, perPressure;
     Span<const Vec3> x;                     // with w = dt^2/rho0 dp
