@@ -23,32 +23,26 @@ double slopeAt(double r, double R, const WendlandC2& W)
     return integrate(nearest, farthest, ring);
 }
 
-// |G| at a planar surface, the steepest: the integral of W over the plane.
-double steepestSlope(const WendlandC2& W)
-{
-    return integrate(0, W.h, [&](double d) { return 2 * pi * d * W.W(float(d)); });
-}
-
-// |G| at a depth below a planar surface.
+// |G| at a depth below a planar surface: the integral of W over the plane.
 double slopeBelow(double depth, const WendlandC2& W)
 {
     return depth < W.h ? integrate(depth, W.h, [&](double d) { return 2 * pi * d * W.W(float(d)); }) : 0;
 }
 
+double steepestSlope(const WendlandC2& W) { return slopeBelow(0, W); }
+
 // What layers half a spacing, one and a half ... below a planar surface have of b |G|, over its integral.
 double layersOverWhole(const WendlandC2& W, const SetIn& b, double spacing)
 {
-    constexpr int parts = 2000;
     const double steepest = steepestSlope(W);
     const auto force = [&](double depth)
     {
         const double slope = slopeBelow(depth, W);
         return b(float(slope / steepest)) * slope;
     };
-    double layers = 0, whole = 0;
+    double layers = 0;
     for (double depth = 0.5 * spacing; depth < W.h; depth += spacing) layers += force(depth) * spacing;
-    for (int k = 0; k < parts; ++k) whole += force((k + 0.5) * W.h / parts) * W.h / parts;
-    return layers / whole;
+    return layers / integrate(0, W.h, force);
 }
 
 }
