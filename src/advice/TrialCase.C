@@ -21,11 +21,16 @@ namespace
 
 namespace fs = std::filesystem;
 
-fs::path temporaryFolder()
+// Beside the case, where writing takes as long as it will take there; else where temporary files go.
+fs::path temporaryFolder(const fs::path& casePath)
 {
-    std::string name = (fs::temp_directory_path()/"adviseCase-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw FatalError("Cannot make a folder in " + fs::temp_directory_path().string());
-    return name;
+    const fs::path beside = fs::canonical(casePath).parent_path();
+    for (const fs::path& where : {beside, fs::temp_directory_path()})
+    {
+        std::string name = (where/".adviseCase-XXXXXX").string();
+        if (mkdtemp(name.data())) return name;
+    }
+    throw FatalError("Cannot make a folder in " + beside.string() + " or " + fs::temp_directory_path().string());
 }
 
 // Files are copied, folders linked.
@@ -43,7 +48,7 @@ void take(const fs::path& from, const fs::path& to)
 }
 
 TrialCase::TrialCase(const fs::path& casePath, const std::vector<CaseChange>& changes)
-: case_(casePath), path_(temporaryFolder())
+: case_(casePath), path_(temporaryFolder(casePath))
 {
     try
     {

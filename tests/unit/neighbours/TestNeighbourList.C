@@ -377,7 +377,7 @@ TEST(CellGrid, SearchesAlongALine)
         {
             const Vec3 r = places[j] - p;
             const float s = std::clamp(dot(r, direction), -length, length);
-            if (norm(r - s * direction) < within) EXPECT_EQ(visited[line * n + j], 1u);
+            if (norm(r - s * direction) < within) { EXPECT_EQ(visited[line * n + j], 1u); }
             EXPECT_LE(visited[line * n + j], 1u);
             candidates += int(visited[line * n + j]);
         }
