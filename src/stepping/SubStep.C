@@ -17,11 +17,18 @@ void predict(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& mo
     near.search(liquid, models.freeSurface->support());
     walls.search(liquid);
     move();
-    if (!near.cutOff() && !walls.cutOff() && !models.freeSurface->cutOff()) return;     // asked late: by then the device has enough to do
+    // Asked late: by then the device has enough to do.
+    const bool listsCutOff = near.cutOff(), wallsCutOff = walls.cutOff(), surfaceCutOff = models.freeSurface->cutOff();
+    if (!listsCutOff && !wallsCutOff && !surfaceCutOff) return;
     predictPositions(liquid, dt);
     near.lengthen(liquid);
     walls.lengthen(liquid);
     move();
+    while (models.freeSurface->cutOff())        // longer lists show more of the surface
+    {
+        predictPositions(liquid, dt);
+        move();
+    }
 }
 
 // iterate: what acts besides the pressure in each of its iterations.
