@@ -127,6 +127,12 @@ void forEachPoint(int n, const F& f)
     else forEachGroup(n, f);
 }
 
+// What the entries of a window lack of the numbers that they stand for.
+HOST_DEVICE inline int addOf(const ListsOfGroup& list, int window)
+{
+    return window == 0 ? list.add[0] : window == 1 ? list.add[1] : list.add[2];
+}
+
 // The windows of a group, around the cell of its first point and those below and above.
 HOST_DEVICE inline ListsOfGroup windowsAround(const CellGridView& grid, Vec3 p)
 {
@@ -187,7 +193,7 @@ struct FindNeighbours
             search.forEach(i, [&](int first, int end) { return wide ? 0 : list.windowOf(first, end); }, [&](int j, int window)
             {
                 fits &= window < ListsOfGroup::windows;
-                const int add = window == 0 ? list.add[0] : window == 1 ? list.add[1] : list.add[2];
+                const int add = addOf(list, window);
                 if (n < room)
                 {
                     NeighbourRow* const free = rows.data + list.row();
@@ -231,8 +237,7 @@ struct FindNeighbours
             first[2 * k].index(place) = std::uint32_t(j);
             return;
         }
-        const int window = list.windowOf(j, j + 1);
-        first[k].of[place] = std::uint16_t(j - (window == 0 ? list.add[0] : window == 1 ? list.add[1] : list.add[2]));
+        first[k].of[place] = std::uint16_t(j - addOf(list, list.windowOf(j, j + 1)));
     }
 
 private:
