@@ -64,7 +64,8 @@ std::vector<Marginal> tabulateMarginals(const KernelChoice& kernel)
 struct Integrate
 {
     MarginalView marginal;
-    float firstAngle, angleStep, cutDepth;
+    float firstAngle, angleStep;
+    Span<const float> weight;
     Span<WedgeIntegrals> table;
 
     HOST_DEVICE void operator()(int entry) const
@@ -83,34 +84,38 @@ struct Integrate
             const float below = -z - (1 - z) * (float(i) + 0.5f) / n;
             const float reach = sqrtf(fmaxf(1 - below * below, 0));
             const float depth = s - below * cosine;     // of the point at along = 0
-            float from = -reach, to = reach;
-            if (sine > 1e-3f)
-            {
-                to = fminf(to, depth / sine);
-                from = fmaxf(from, (depth - cutDepth) / sine);
-            }
-            else if (depth < 0 || depth > cutDepth)
-            {
-                continue;
-            }
+            const float from = -reach;
+            float to = reach;
+            if (sine > 1e-3f) to = fminf(to, depth / sine);
+            else if (depth < 0) continue;
             if (from >= to) continue;
             const float area = (1 - z) / n * (to - from) / n;
             for (int j = 0; j < n; ++j)
             {
                 const float along = from + (to - from) * (float(j) + 0.5f) / n;
                 const Marginal m = marginal(sqrtf(along * along + below * below));
-                value += m.value * area;
-                tangential -= m.slope * along * area;
-                normal -= m.slope * below * area;
+                const float share = weightAt(depth - along * sine) * area;
+                value += m.value * share;
+                tangential -= m.slope * along * share;
+                normal -= m.slope * below * share;
             }
         }
         table[entry] = {float(value), float(tangential), float(normal)};
+    }
+
+private:
+    HOST_DEVICE float weightAt(float depth) const
+    {
+        const int last = weight.size - 1;
+        const float place = fminf(fmaxf(depth, 0), 1) * float(last);
+        const int k = int(place) < last ? int(place) : last - 1;
+        return weight[k] + (place - float(k)) * (weight[k + 1] - weight[k]);
     }
 };
 
 }
 
-ExtendedLiquid::ExtendedLiquid(const KernelChoice& kernel, std::pair<double, double> theta, float cutDepth)
+ExtendedLiquid::ExtendedLiquid(const KernelChoice& kernel, std::pair<double, double> theta, const std::vector<float>& weight)
 {
     const auto [smallestTheta, largestTheta] = theta;
     constexpr double widest = 5;
@@ -120,9 +125,10 @@ ExtendedLiquid::ExtendedLiquid(const KernelChoice& kernel, std::pair<double, dou
     angleStep_ = steps > 0 ? float((largestTheta - smallestTheta) * degree / steps) : 1;
 
     const Buffer<Marginal> marginals(tabulateMarginals(kernel));
+    const Buffer<float> weights(weight);
     table_.resize(angles_ * (ExtendedLiquidView::distances + 1) * (ExtendedLiquidView::depths + 1));
-    forEach(table_.size(), Integrate{{marginals.span()}, firstAngle_, angleStep_, cutDepth, table_.span()});
-    synchronize();                          // the marginals go out of scope
+    forEach(table_.size(), Integrate{{marginals.span()}, firstAngle_, angleStep_, weights.span(), table_.span()});
+    synchronize();                          // marginals and weights go out of scope
 }
 
 ExtendedLiquidView ExtendedLiquid::view() const

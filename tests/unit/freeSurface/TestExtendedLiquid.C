@@ -45,13 +45,12 @@ struct Sums
     double value = 0, tangential = 0, normal = 0;
 };
 
-// Midpoint sums of a kernel with support 1 over y - x = u t + v (n x t) + w n on one side of the wall, cut at the depth
-// `deepest`; the limits of u are exact.
+double all(double) { return 1; }
+
+// Midpoint sums of a kernel with support 1 over y - x = u t + v (n x t) + w n on one side of the wall, weighted by the depth; the limits
+// of u are exact.
 template<class Kernel>
-Sums bruteForce
-(
-    double theta, double z, double s, Side side, double deepest = 2
-)
+Sums bruteForce(double theta, double z, double s, Side side, double (*weight)(double depth) = all)
 {
     constexpr int n = 40;
     const Reference<Kernel> W{1};
@@ -64,25 +63,19 @@ Sums bruteForce
         for (int b = 0; b < n; ++b)
         {
             const double v = width * (b + 0.5) / n, reach = std::sqrt(std::max(1 - w * w - v * v, 0.0));
-            double from = -reach, to = reach;
-            if (sine > 1e-9)
-            {
-                to = std::min(to, (s - w * cosine) / sine);
-                from = std::max(from, (s - w * cosine - deepest) / sine);
-            }
-            else if (w * cosine > s)
-            {
-                continue;
-            }
+            const double from = -reach;
+            double to = reach;
+            if (sine > 1e-9) to = std::min(to, (s - w * cosine) / sine);
+            else if (w * cosine > s) continue;
             if (from >= to) continue;
             const double volume = (high - low) / n * 2 * width / n * (to - from) / n;
             for (int c = 0; c < n; ++c)
             {
                 const double u = from + (to - from) * (c + 0.5) / n, r = std::sqrt(u * u + v * v + w * w);
-                const double slope = W.slope(r);
-                sums.value += volume * W.W(r);
-                sums.tangential -= volume * slope / r * u;
-                sums.normal -= volume * slope / r * w;
+                const double slope = W.slope(r), share = volume * weight(s - u * sine - w * cosine);
+                sums.value += share * W.W(r);
+                sums.tangential -= share * slope / r * u;
+                sums.normal -= share * slope / r * w;
             }
         }
     }
@@ -245,17 +238,17 @@ TYPED_TEST(ExtendedLiquidOf, GradientIsThatOfTheValue)
             }
 }
 
-// Only what lies no deeper than the cut counts. The midpoint rules again; the largest value is one.
-TYPED_TEST(ExtendedLiquidOf, EndsAtTheCut)
+// A weight that falls from one at the interface to nothing half a support below it. The midpoint rules again; the largest value is one.
+TYPED_TEST(ExtendedLiquidOf, WeighsByDepth)
 {
-    constexpr double deepest = 0.4;
-    const Table table(ExtendedLiquid(this->W, {45, 120}, float(deepest)));
+    const Table table(ExtendedLiquid(this->W, {45, 120}, {1, 0, 0}));
+    const auto weight = [](double depth) { return std::max(1 - 2 * depth, 0.0); };
     for (const double theta : {45.0, 60.0, 90.0, 120.0})
         for (const double z : {0.0, 4 / 24.0, 10 / 24.0})
             for (const double s : {-6 / 24.0, 2 / 24.0, 9 / 24.0})
             {
                 const auto found = table(theta, z, s);
-                const Sums expected = bruteForce<TypeParam>(theta, z, s, Side::wall, deepest);
+                const Sums expected = bruteForce<TypeParam>(theta, z, s, Side::wall, weight);
                 const double gradient = 5e-4 * steepest<TypeParam>();
                 EXPECT_NEAR(found.value, expected.value, 5e-4) << theta << " " << z << " " << s;
                 EXPECT_NEAR(found.tangential, expected.tangential, gradient) << theta << " " << z << " " << s;

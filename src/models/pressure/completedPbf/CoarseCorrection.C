@@ -18,7 +18,7 @@ constexpr float mostError = 0.1f;           // of C_i: more are particles presse
 constexpr float tolerated = 0.01f;          // of a cell's mean: noise that would make calm liquid boil
 constexpr float spray = 0.7f;               // density below which a particle is on its own
 constexpr float crowded = 1.2f;             // density above which the colour shows where particles are pressed together, not the surface
-constexpr float atSurface = 2.5f;           // spacings below the surface, of those who know where it is
+constexpr float atSurface = 2;              // spacings below the surface, of those who know where it is
 constexpr float closedBelow = 0.3f;         // cells below the surface: more than half a spacing, so that every surface has closed nodes
 
 struct DeepInside

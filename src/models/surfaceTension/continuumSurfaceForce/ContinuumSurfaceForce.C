@@ -11,8 +11,8 @@
 //                                                 to kappa'_i, where that is below zero
 //
 // On a sphere each pair gives exactly 2/r at the pair's mean radius. J(kappa): what 2 b |G| adds up to where particles are,
-// on the liquid's side of a surface of that curvature (SurfaceLayer.H). Near the surface means |G| above 0.1 of a planar
-// surface's; b grows smoothly from 0 there to 1 at 0.8: so widely that the force of the layers of particles adds up to the same however far
+// on the liquid's side of a surface of that curvature (SurfaceLayer.H). b is |G| over that of a planar surface, less the tenth
+// from which on a particle is near the surface: so smooth that the force of the layers of particles adds up to the same however far
 // they stand apart. Particles with normals apart by more than a right angle lie on different surfaces. At a hollow surface
 // liquid is under suction and the surface gives way where a single particle reads too little of it: there all near it have the
 // mean. On round drops kappa_i stands.
@@ -25,7 +25,7 @@
 //
 // Every point of the wall's wedge has the normal m_c = sin(theta) t + cos(theta) n. On a curved surface that meets the wall
 // at theta the normals differ by kappa tau, with tau the distance of a particle from the contact line along the surface.
-// So the wedge weighs tau int w (u.(x - y)) dy, u pointing along the surface away from the wall: of a surface of constant
+// Its points have the b of their depth, as particles do. So the wedge weighs tau int w (u.(x - y)) dy, u pointing along the surface away from the wall: of a surface of constant
 // curvature it then says the same as the liquid, and of one at another angle it gives the whole of Young's force.
 //
 // No cohesion enters, so no internal pressure locks the particles; sigma and theta are the user's, and nothing is fitted.
@@ -36,7 +36,7 @@
 // What was tried, and what each choice gave, stands in doc/theory/continuumSurfaceForce.md.
 //
 //     surfaceTension  continuumSurfaceForce;
-//     continuumSurfaceForceCoeffs { support 4; }      // of the normals and the curvature, in spacings
+//     continuumSurfaceForceCoeffs { support 3.25; }   // of the normals and the curvature, in spacings
 
 #include "freeSurface/FreeSurface.H"
 #include "models/surfaceTension/SurfaceTension.H"
@@ -48,8 +48,6 @@ namespace shizuku
 namespace
 {
 
-constexpr SetIn usualSetIn{0.1f, 0.8f};     // b
-constexpr float halfOfForce = 0.5f * (usualSetIn.from + usualSetIn.all);
 constexpr float sharpest = 0.7f;            // largest |kappa|, times the spacing
 constexpr float holds = 1.5f;               // lowest pressure at a hollow surface, over sigma kappa
 constexpr float trusted = 4;                // kappa' from which a single kappa stands, over its distance from kappa'
@@ -61,7 +59,6 @@ HOST_DEVICE inline auto onSameSurface(Vec3 mi, Vector auto mj) { return squared(
 struct SmoothNormal
 {
     WendlandC2 W;
-    SetIn setIn;
     float steepest;                         // the planar |G|
     FreeSurfaceView surface;
     SelectedSearch near;
@@ -69,7 +66,7 @@ struct SmoothNormal
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
-        const float least = setIn.from * steepest;
+        const float least = leastSlope * steepest;
         GroupOfParticles group{};
         Vec3 own[Group::most];
         #pragma unroll
@@ -92,7 +89,7 @@ struct SmoothNormal
         const Vec3 G = surface.gradient[k], sum = sums - W.W(0) * G;
         const bool isNear = (group.members >> team.lane & 1) != 0;
         Vec3 mean = isNear ? 1 / norm(sum) * sum : Vec3{};
-        mean.w = isNear ? setIn(norm(G) / steepest) : 0;
+        mean.w = isNear ? shareOfForce(norm(G) / steepest) : 0;
         normal[k] = mean;
     }
 };
@@ -253,7 +250,7 @@ public:
         const SelectedSearch among = near.wide(surface_.particles(), surface_.position());
         forEachGroup(surface_.particles(), SmoothNormal
         {
-            W, usualSetIn, surface_.steepest(), view, among, normal.span()
+            W, surface_.steepest(), view, among, normal.span()
         });
         forEachGroup(surface_.particles(), Curvature
         {
@@ -284,17 +281,13 @@ private:
     void tabulate(const Walls& walls, float spacing)
     {
         const WendlandC2 W = surface_.kernel();
-        sums_.upload(tabulateSurfaceLayer(W, usualSetIn, spacing, sharpest / spacing));
-        parts_.upload(tabulateDeeperPart(W, usualSetIn));
+        sums_.upload(tabulateSurfaceLayer(W, spacing, sharpest / spacing));
+        parts_.upload(tabulateDeeperPart(W));
         const auto plane = tabulateHalfSpace(W);
         const HalfSpaceView view{{plane.data(), int(plane.size())}, W.h};
-        float low = 0, high = W.h;
-        for (int k = 0; k < 40; ++k)
-        {
-            const float s = 0.5f * (low + high);
-            (view(s).gradient > halfOfForce * surface_.steepest() ? low : high) = s;
-        }
-        extended_.emplace(W, walls.contactAngles(W.h), low / W.h);
+        std::vector<float> shares(101);
+        for (int k = 0; k <= 100; ++k) shares[k] = shareOfForce(view(0.01f * float(k) * W.h).gradient / surface_.steepest());
+        extended_.emplace(W, walls.contactAngles(W.h), shares);
         oneAngle_ = walls.oneContactAngle();
     }
 

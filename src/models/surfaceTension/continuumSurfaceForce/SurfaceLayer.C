@@ -32,13 +32,13 @@ double slopeBelow(double depth, const WendlandC2& W)
 double steepestSlope(const WendlandC2& W) { return slopeBelow(0, W); }
 
 // What layers half a spacing, one and a half ... below a planar surface have of b |G|, over its integral.
-double layersOverWhole(const WendlandC2& W, const SetIn& b, double spacing)
+double layersOverWhole(const WendlandC2& W, double spacing)
 {
     const double steepest = steepestSlope(W);
     const auto force = [&](double depth)
     {
         const double slope = slopeBelow(depth, W);
-        return b(float(slope / steepest)) * slope;
+        return shareOfForce(float(slope / steepest)) * slope;
     };
     double layers = 0;
     for (double depth = 0.5 * spacing; depth < W.h; depth += spacing) layers += force(depth) * spacing;
@@ -47,10 +47,10 @@ double layersOverWhole(const WendlandC2& W, const SetIn& b, double spacing)
 
 }
 
-std::vector<float> tabulateSurfaceLayer(const WendlandC2& W, const SetIn& b, float spacing, float largest)
+std::vector<float> tabulateSurfaceLayer(const WendlandC2& W, float spacing, float largest)
 {
     constexpr int half = 16, parts = 100;
-    const double h = W.h, steepest = steepestSlope(W), layered = layersOverWhole(W, b, spacing);
+    const double h = W.h, steepest = steepestSlope(W), layered = layersOverWhole(W, spacing);
     const auto layer = [&](double kappa)
     {
         const bool ball = kappa > 0;
@@ -59,7 +59,7 @@ std::vector<float> tabulateSurfaceLayer(const WendlandC2& W, const SetIn& b, flo
         for (int k = 0; k < parts; ++k)
         {
             const double slope = slopeAt(R + towards * depth * (k + 0.5) / parts, R, W);
-            sum += 2 * b(float(slope / steepest)) * slope * depth / parts;
+            sum += 2 * shareOfForce(float(slope / steepest)) * slope * depth / parts;
         }
         return float(layered * sum);
     };
@@ -73,7 +73,7 @@ std::vector<float> tabulateSurfaceLayer(const WendlandC2& W, const SetIn& b, flo
     return table;
 }
 
-std::vector<float> tabulateDeeperPart(const WendlandC2& W, const SetIn& b)
+std::vector<float> tabulateDeeperPart(const WendlandC2& W)
 {
     constexpr int entries = 65, layers = 4000;
     const double thickness = W.h / double(layers), steepest = steepestSlope(W);
@@ -85,7 +85,7 @@ std::vector<float> tabulateDeeperPart(const WendlandC2& W, const SetIn& b)
         const double depth = (k + 0.5) * thickness;
         slope += 2 * pi * depth * W.W(float(depth)) * thickness;
         while (entry < entries - 1 && entry <= slope / steepest * (entries - 1)) table[entry++] = float(force);
-        force += b(float(slope / steepest)) * slope * thickness;
+        force += shareOfForce(float(slope / steepest)) * slope * thickness;
     }
     while (entry < entries) table[entry++] = float(force);
     for (float& part : table) part /= float(force);
