@@ -49,6 +49,20 @@ struct ValueOf
     HOST_DEVICE T operator()(int i) const { return i < values.size ? values[i] : T{}; }
 };
 
+// Takes the sum before each, and brings the total, which is the last one, to the host's memory where it is wanted.
+template<class T>
+struct KeepSums
+{
+    Span<T> sums;
+    T* last = nullptr;
+
+    HOST_DEVICE void operator()(int i, T sum) const
+    {
+        sums[i] = sum;
+        if (last && i == sums.size - 1) *last = sum;
+    }
+};
+
 // Of the end too: how many all are.
 struct PlaceChosen
 {
@@ -56,11 +70,11 @@ struct PlaceChosen
     Span<std::uint32_t> before, indices;
     Readback::Post all;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, std::uint32_t place) const
     {
-        const std::uint32_t place = before[i], room = std::uint32_t(indices.size);
+        const std::uint32_t room = std::uint32_t(indices.size);
+        before[i] = place < room ? place : room;
         if (place < room && i < chosen.size && chosen[i]) indices[int(place)] = std::uint32_t(i);
-        if (place > room) before[i] = room;
         if (i == chosen.size) all(place);
     }
 };
@@ -76,7 +90,7 @@ T scan(const Buffer<T>& in, Buffer<T>& out, Add add)
     {
         ++deviceCounters().launches;
         const device::KernelTimer timer("scan");
-        device::scan(ValueOf<T>{in.span()}, n, out.span().data, total.data(), add);
+        device::scan(ValueOf<T>{in.span()}, n, out.span().data, KeepSums<T>{out.span(), total.data()}, add);
     }
     synchronize();
     return *total.data();
@@ -106,37 +120,39 @@ void select(const Buffer<std::uint8_t>& chosen, Selection& selection, int room, 
         selection.indices.resize(room);
     }
     selection.before.resizeDiscarding(n + 1);
-    {
-        ++deviceCounters().launches;
-        const device::KernelTimer timer("select");
-        constexpr std::uint32_t* unwanted = nullptr;
-        device::scan(Chosen{chosen.span()}, n + 1, selection.before.span().data, unwanted, thrust::plus<std::uint32_t>{});
-    }
-    forEach(n + 1, PlaceChosen{chosen.span(), selection.before.span(), selection.indices.span(), all.ask()});
+    ++deviceCounters().launches;
+    const device::KernelTimer timer("select");
+    const PlaceChosen place{chosen.span(), selection.before.span(), selection.indices.span(), all.ask()};
+    device::scan(Chosen{chosen.span()}, n + 1, selection.before.span().data, place, thrust::plus<std::uint32_t>{});
 }
 
-std::uint32_t exclusiveScan(const Buffer<std::uint32_t>& in, Buffer<std::uint32_t>& out, const char* list)
+int countOf(std::uint64_t total, const char* list)
 {
-    const std::uint32_t total = scan(in, out, SaturatingSum{});
-    constexpr std::uint32_t most = 0x7fffffffu;
+    constexpr std::uint64_t most = 0x7fffffffu, saturated = 0xffffffffu;
     if (total > most)
     {
         throw FatalError
         (
-            "Too many " + std::string(list) + ": " + (total == 0xffffffffu ? "2^32 or more" : std::to_string(total))
+            "Too many " + std::string(list) + ": " + (total >= saturated ? "2^32 or more" : std::to_string(total))
           + ", and a list holds at most " + std::to_string(most)
           + ".\n    Use fewer particles, or a kernel with a shorter support in system/solution."
         );
     }
-    return total;
+    return int(total);
+}
+
+std::uint32_t exclusiveScan(const Buffer<std::uint32_t>& in, Buffer<std::uint32_t>& out, const char* list)
+{
+    return std::uint32_t(countOf(scan(in, out, SaturatingSum{}), list));
 }
 
 void sumBefore(Buffer<std::uint32_t>& numbers)
 {
     ++deviceCounters().launches;
     const device::KernelTimer timer("scan");
-    constexpr std::uint32_t* unwanted = nullptr;
-    device::scan(ValueOf<std::uint32_t>{numbers.span()}, numbers.size(), numbers.span().data, unwanted, thrust::plus<std::uint32_t>{});
+    using Number = std::uint32_t;
+    const Span<Number> all = numbers.span();
+    device::scan(ValueOf<Number>{all}, all.size, all.data, KeepSums<Number>{all}, thrust::plus<Number>{});
 }
 
 std::uint64_t exclusiveScan(const Buffer<std::uint64_t>& in, Buffer<std::uint64_t>& out)

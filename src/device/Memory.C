@@ -72,12 +72,12 @@ KeptBlocks& kept()
     return blocks;
 }
 
-// Small blocks come in eight sizes an octave, of a megabyte and more in 32: what changes a little from step to step finds its memory again.
+// Small blocks come in eight sizes an octave, of a megabyte and more in 32: what changes a little from step to step finds its memory again. Large
+// ones come in whole pages: arrays that differ by an entry have the same memory one after the other.
 std::size_t sizeOf(std::size_t bytes)
 {
-    constexpr std::size_t small = std::size_t(1) << 24, medium = std::size_t(1) << 20, least = 256;
-    if (bytes >= small) return bytes;
-    const std::size_t unit = std::max(std::bit_floor(bytes) / (bytes < medium ? 8 : 32), least);
+    constexpr std::size_t small = std::size_t(1) << 24, medium = std::size_t(1) << 20, least = 256, page = 1 << 16;
+    const std::size_t unit = bytes >= small ? page : std::max(std::bit_floor(bytes) / (bytes < medium ? 8 : 32), least);
     return (bytes + unit - 1) / unit * unit;
 }
 

@@ -268,7 +268,7 @@ bool FreeSurface::cutOff()
 
 void FreeSurface::makeRoom()
 {
-    room_ = found_ + found_ / 4;
+    room_ = found_ + found_ / 8;
     gradient_.discard();
     position_.discard();
     contact_.discard();

@@ -5,7 +5,7 @@
 #include "neighbours/GroupSearch.H"
 
 #include <algorithm>
-#include <limits>
+#include <cstring>
 
 namespace shizuku
 {
@@ -37,17 +37,6 @@ struct Search
                 if (squared(p - sources[j]) < support2 && j != self) visit(j, range);
             }
         });
-    }
-
-    // Whether all that is looked at for point i lies in these windows.
-    HOST_DEVICE bool liesIn(const ListsOfGroup& list, int i) const
-    {
-        bool all = true;
-        grid.forEachRange(AroundPoint{points[i], support}, [&](int first, int end)
-        {
-            all &= first == end || list.windowOf(first, end) < ListsOfGroup::windows;
-        });
-        return all;
     }
 
     // visit(p, j, whether it is a neighbour of the group's p-th point), for one j after the other; each lane takes its turn, as often
@@ -90,32 +79,6 @@ struct Search
 #endif
 };
 
-// Rows for each group's longest list; none where it has room.
-struct LongestOfGroup
-{
-    Span<const std::uint32_t> count;
-    std::uint32_t room;                     // entries
-#ifdef __CUDACC__
-    Span<const ListsOfGroup> lists;
-#endif
-    Span<std::uint32_t> length;
-
-    HOST_DEVICE void operator()(int group) const
-    {
-        std::uint32_t longest = 0;
-        for (int k = 0; k < device::interleave; ++k)
-        {
-            const int i = group * device::interleave + k;
-            if (i < count.size && count[i] > longest) longest = count[i];
-        }
-        constexpr std::uint32_t batch = device::batch;
-        length[group] = longest > room ? (longest + batch - 1) / batch * batch : 0;
-#ifdef __CUDACC__
-        if (lists[group].isWide()) length[group] *= 2;
-#endif
-    }
-};
-
 #ifdef __CUDACC__
 
 // A thread a point where points fill a GPU, else a warp for a group of them.
@@ -126,6 +89,63 @@ void forEachPoint(int n, const F& f)
     if (n > many) forEach(n, f);
     else forEachGroup(n, f);
 }
+
+// Of few points: each group's lists have room for as many entries as lists usually have. Those beyond are left out.
+struct FindNeighboursInRooms
+{
+    static constexpr int s = device::interleave;
+    static constexpr Holds holds = Holds::few;
+
+    Search search;
+    int room;                               // entries
+    Span<std::uint32_t> count;
+    Span<ListsOfGroup> lists;
+    Span<NeighbourRow> rows;
+    Wanted* wanted;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        NeighbourRow* const first = rows.data + rowOf(i / s);
+        int n = 0;
+        search.forEach(i, [](int, int) { return 0; }, [&](int j, int)
+        {
+            if (n < room) first[2 * n].index(i % s) = std::uint32_t(j);
+            ++n;
+        });
+        if (i % s == 0) lists[i / s] = listsOf(i / s);
+        note(i, n);
+    }
+
+    HOST_DEVICE void operator()(Group group, Team team) const
+    {
+        NeighbourRow* const first = rows.data + rowOf(group.first / s);
+        int n[Group::most] = {};
+        search.forEachTurn(group, team, [&](int p, int j, bool isNear)
+        {
+            const Team::Place place = team.place(isNear);
+            const int k = n[p] + place.before;
+            if (isNear & (k < room)) first[2 * k].index(group.first % s + p) = std::uint32_t(j);
+            n[p] += place.all;
+        });
+        if (!team.first()) return;
+        if (group.first % s == 0) lists[group.first / s] = listsOf(group.first / s);
+        #pragma unroll
+        for (int p = 0; p < Group::most; ++p)
+        {
+            if (p < group.size) note(group.first + p, n[p]);
+        }
+    }
+
+private:
+    HOST_DEVICE int rowOf(int group) const { return 2 * group * room; }
+    HOST_DEVICE ListsOfGroup listsOf(int group) const { return {std::uint32_t(rowOf(group)) | ListsOfGroup::wide, {}}; }
+
+    HOST_DEVICE void note(int i, int n) const
+    {
+        count[i] = std::uint32_t(n < room ? n : room);
+        if (n > room) raise(wanted->entries, std::uint32_t(n));
+    }
+};
 
 // What the entries of a window lack of the numbers that they stand for.
 HOST_DEVICE inline int addOf(const ListsOfGroup& list, int window)
@@ -147,157 +167,126 @@ HOST_DEVICE inline ListsOfGroup windowsAround(const CellGridView& grid, Vec3 p)
     return list;
 }
 
-// Counts each particle's neighbours, and stores those that its group's room holds.
+// Of many: a group's lists stay in quick memory until the longest is known, and then take as many rows as it has entries. A group that has
+// longer ones, or neighbours outside of its windows, is searched for once more.
 struct FindNeighbours
 {
-    static constexpr int s = device::interleave;
+    static constexpr int s = device::interleave, most = 40;
     static constexpr Holds holds = Holds::few;
 
+    struct alignas(16) Shared
+    {
+        NeighbourRow row[most];
+    };
+
+    // Rows at the beginning that groups have in common which find no others: until there is room their lists are as long, but name the first source
+    // alone.
+    static constexpr int common = 2 * most;
+
     Search search;
-    int room;                               // entries
-    int most;                               // of what is counted
-    bool allWide;
-    int roomsOfWide;                        // where not all groups are
-    std::uint32_t build;                    // which one this is
     Span<std::uint32_t> count;
     Span<ListsOfGroup> lists;
-    Span<std::uint32_t> misfits;            // [0]: a list that is longer than its room, [1]: too few rooms of wide groups, [2]: wide groups
     Span<NeighbourRow> rows;
+    Wanted* wanted;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, Shared& found) const
     {
         const int group = i / s, place = i % s;
         const Team warp{place, s};
-        ListsOfGroup list = allWide ? ListsOfGroup{wideRoom(0, group), {}} : windowsAround(search.grid, search.points[group * s]);
-        if (!allWide) list.start = std::uint32_t(group * room);
-        bool wide = allWide;
-        bool becomesWide = warp.anyBeside(!wide && search.grid.isAtCopysEdge(search.points[i]) && !search.liesIn(list, i));
-        int n;
+        ListsOfGroup list = windowsAround(search.grid, search.points[group * s]);
+        NeighbourRow* to = found.row;
+        int room = most, n;
+        bool wide = false;
         #pragma unroll 1
         for (;;)
         {
-            if (becomesWide)
-            {
-                const int which = warp.ofFirst(place == 0 ? int(increment(misfits[2])) : 0);
-                if (which >= roomsOfWide)
-                {
-                    misfits[1] = build;
-                    n = 0;
-                    break;
-                }
-                list.start = wideRoom(lists.size * room, which);
-                wide = true;
-            }
             bool fits = true;
             n = 0;
-            search.forEach(i, [&](int first, int end) { return wide ? 0 : list.windowOf(first, end); }, [&](int j, int window)
+            const auto look = [&](int first, int end) { return wide ? 0 : list.windowOf(first, end); };
+            if (i < count.size) search.forEach(i, look, [&](int j, int window)
             {
                 fits &= window < ListsOfGroup::windows;
-                const int add = addOf(list, window);
-                if (n < room)
-                {
-                    NeighbourRow* const free = rows.data + list.row();
-                    if (wide) free[2 * n].index(place) = std::uint32_t(j);
-                    else free[n].of[place] = std::uint16_t(j - add);
-                }
+                if (n < room) store(to, wide, n, place, std::uint32_t(wide ? j : j - addOf(list, window)));
                 ++n;
             });
-            if (!warp.anyBeside(!fits)) break;
-            becomesWide = true;             // once more: rarely but at the edge of a copy of the grid, where it was looked for before
+            if (to != found.row) break;
+            const int longest = warp.mostBeside(n);
+            wide = warp.anyBeside(!fits);
+            const int row = claim(wide ? 2 * longest : longest, warp);
+            list.start = std::uint32_t(row) | (wide ? ListsOfGroup::wide : 0);
+            if (row < common)
+            {
+                list.start = ListsOfGroup::wide;
+                n = n < most ? n : most;
+                for (int k = 0; k < n; ++k) store(rows.data, true, k, place, 0);
+                break;
+            }
+            if (!wide && longest <= most)
+            {
+                warp.meet();
+                copy(found, longest, row, place);
+                break;
+            }
+            to = rows.data + row;
+            room = n;
         }
-        note(i, n);
+        if (i < count.size) count[i] = std::uint32_t(n);
         if (place == 0) lists[group] = list;
     }
 
-    HOST_DEVICE void operator()(Group group, Team team) const
-    {
-        const ListsOfGroup list{wideRoom(0, group.first / s), {}};           // few points: all groups are wide
-        int n[Group::most] = {};
-        search.forEachTurn(group, team, [&](int p, int j, bool isNear)
-        {
-            const Team::Place place = team.place(isNear);
-            if (isNear & (n[p] + place.before < room)) store(rows, list, n[p] + place.before, group.first % s + p, j);
-            n[p] += place.all;
-        });
-        if (!team.first()) return;
-        if (group.first % s == 0) lists[group.first / s] = list;
-        #pragma unroll
-        for (int p = 0; p < Group::most; ++p)
-        {
-            if (p < group.size) note(group.first + p, n[p]);
-        }
-    }
-
-    // An entry of those lists.
-    HOST_DEVICE static void store(Span<NeighbourRow> rows, const ListsOfGroup& list, int k, int place, int j)
-    {
-        NeighbourRow* const first = rows.data + list.row();
-        if (list.isWide())
-        {
-            first[2 * k].index(place) = std::uint32_t(j);
-            return;
-        }
-        first[k].of[place] = std::uint16_t(j - addOf(list, list.windowOf(j, j + 1)));
-    }
-
 private:
-    HOST_DEVICE std::uint32_t wideRoom(int first, int which) const { return std::uint32_t(first + 2 * which * room) | ListsOfGroup::wide; }
-
-    HOST_DEVICE void note(int i, int n) const
+    HOST_DEVICE static void store(NeighbourRow* first, bool wide, int k, int place, std::uint32_t entry)
     {
-        count[i] = std::uint32_t(n < most ? n : most);
-        if (n > room) misfits[0] = build;
-    }
-};
-
-// The groups for which their room is too small get rows behind all rooms.
-struct PlaceLongGroup
-{
-    std::uint32_t behind;
-    Span<const std::uint32_t> length, before;
-    Span<ListsOfGroup> lists;
-
-    HOST_DEVICE void operator()(int group) const
-    {
-        if (length[group] == 0) return;
-        std::uint32_t& start = lists[group].start;
-        start = (behind + before[group]) | (start & ListsOfGroup::wide);
-    }
-};
-
-// Their lists.
-struct StoreNeighbours
-{
-    static constexpr int s = device::interleave;
-
-    Search search;
-    Span<const std::uint32_t> length;
-    Span<const ListsOfGroup> lists;
-    Span<NeighbourRow> rows;
-
-    HOST_DEVICE void operator()(int i) const
-    {
-        if (length[i / s] == 0) return;
-        const ListsOfGroup list = lists[i / s];
-        int n = 0;
-        search.forEach(i, [](int, int) { return 0; }, [&](int j, int) { FindNeighbours::store(rows, list, n++, i % s, j); });
+        if (wide) first[2 * k].index(place) = entry;
+        else first[k].of[place] = std::uint16_t(entry);
     }
 
-    HOST_DEVICE void operator()(Group group, Team team) const
+    // The first of so many rows that nobody else has; 0 where there are not so many.
+    HOST_DEVICE int claim(int n, Team warp) const
     {
-        if (length[group.first / s] == 0) return;
-        const ListsOfGroup list = lists[group.first / s];
-        int n[Group::most] = {};
-        search.forEachTurn(group, team, [&](int p, int j, bool isNear)
+        int row = 0;
+        if (warp.first())
         {
-            const Team::Place place = team.place(isNear);
-            if (isNear) FindNeighbours::store(rows, list, n[p] + place.before, group.first % s + p, j);
-            n[p] += place.all;
-        });
+            const std::uint64_t first = common + add(wanted->rows, std::uint64_t(n));
+            if (first + n <= std::uint64_t(rows.size)) row = int(first);
+        }
+        return warp.ofFirst(row);
+    }
+
+    // Sixteen bytes a lane at a time.
+    HOST_DEVICE void copy(const Shared& found, int length, int row, int place) const
+    {
+        struct alignas(16) Words
+        {
+            std::uint32_t word[4];
+        };
+        constexpr int ofRow = sizeof(NeighbourRow) / sizeof(Words);
+        const Words* const from = reinterpret_cast<const Words*>(found.row);
+        Words* const there = reinterpret_cast<Words*>(rows.data + row);
+        for (int k = place; k < length * ofRow; k += s) there[k] = from[k];
     }
 };
 
 #else
+
+// As many entries as the longest list of a group has, in whole batches.
+struct LongestOfGroup
+{
+    Span<const std::uint32_t> count;
+    Span<std::uint32_t> length;
+
+    void operator()(int group) const
+    {
+        std::uint32_t longest = 0;
+        for (int k = 0; k < device::interleave; ++k)
+        {
+            const int i = group * device::interleave + k;
+            if (i < count.size && count[i] > longest) longest = count[i];
+        }
+        constexpr std::uint32_t batch = device::batch;
+        length[group] = (longest + batch - 1) / batch * batch;
+    }
+};
 
 constexpr int partSize = 64;                // particles
 
@@ -358,90 +347,57 @@ void NeighbourList::search(Span<const Vec3> points, int n, const CellGrid& grid,
 {
     count_.resizeDiscarding(n);
     lists_.resizeDiscarding(groups());
-    if (builds_ == 0)
+    const bool begins = wanted_.size() == 0;
+    wanted_.resize(sizeof(Wanted) / sizeof(std::uint32_t));
+    const Search search{grid.view(), points, sources, support_, sameSet};
+    if (isFew())
     {
-        misfits_.resize(3);
-        misfits_.setZero();
+        if (begins) wanted_.setZero();              // later it holds no more than there is room for
+        makeRows(2 * groups() * room_);
+        forEachPoint(n, FindNeighboursInRooms{search, room_, count_.span(), lists_.span(), rows_.span(), wanted()});
     }
-    asked_ = !longLists_;
-    find(points, n, grid, sources, sameSet, rowsOfRooms(), asked_ ? room_ : std::numeric_limits<int>::max());
-    if (!asked_) storeLong(points, n, grid, sources, sameSet);
+    else
+    {
+        wanted_.setZero();
+        makeRows(FindNeighbours::common);
+        forEachSharing(n, FindNeighbours{search, count_.span(), lists_.span(), rows_.span(), wanted()});
+    }
+    readWanted_.ask(wanted_);
+    asked_ = true;
+}
+
+// At least so many.
+void NeighbourList::makeRows(int n)
+{
+    if (rows_.size() >= n) return;
+    rows_.discard();
+    rows_.resize(n);
+}
+
+// Waits for it.
+Wanted NeighbourList::readWanted()
+{
+    Wanted wanted;
+    std::memcpy(&wanted, readWanted_.wait(), sizeof(wanted));
+    return wanted;
 }
 
 bool NeighbourList::cutOff()
 {
     if (!asked_) return false;
-    const std::uint32_t* const misfits = readMisfits_.wait();
-    longLists_ = misfits[0] == builds_;
-    return longLists_ || misfits[1] == builds_;
-}
-
-// Counts up to `most` entries of each list.
-void NeighbourList::find
-(
-    Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet, int rows, int most
-)
-{
-    ++builds_;
-    if (rows_.size() < rows)
-    {
-        rows_.discard();
-        rows_.resize(rows);
-    }
-    if (!isWide()) misfits_.setZero(2);
-    forEachPoint(n, FindNeighbours
-    {
-        {grid.view(), points, sources, support_, sameSet}, room_, most, isWide(), roomsOfWide_, builds_, count_.span(), lists_.span(),
-        misfits_.span(), rows_.span()
-    });
-    readMisfits_.ask(misfits_);
-}
-
-// Whether there was too little.
-bool NeighbourList::makeRoomForWide()
-{
-    const std::uint32_t* const misfits = readMisfits_.wait();
-    if (misfits[1] != builds_) return false;
-    constexpr int most = 64;                                // groups of which one at least has such a room
-    roomsOfWide_ = int(misfits[2] + misfits[2] / 4) + (groups() + most - 1) / most;
-    return true;
+    const Wanted wanted = readWanted();
+    return isFew() ? wanted.entries > std::uint32_t(room_) : FindNeighbours::common + wanted.rows > std::uint64_t(rows_.size());
 }
 
 void NeighbourList::lengthen(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
 {
     if (!cutOff()) return;
+    const Wanted wanted = readWanted();
+    constexpr int more = 2;                         // entries: that a room is soon too small again is rare
+    if (isFew()) room_ = int(wanted.entries) + more;
+    else makeRows(countOf(FindNeighbours::common + wanted.rows + wanted.rows / 32, "rows of neighbours"));
+    search(points, n, grid, sources, sameSet);
     asked_ = false;
-    makeRoomForWide();
-    find(points, n, grid, sources, sameSet, rowsOfRooms(), std::numeric_limits<int>::max());
-    storeLong(points, n, grid, sources, sameSet);
-}
-
-// With all lists counted.
-void NeighbourList::storeLong(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
-{
-    groupLength_.resizeDiscarding(groups());
-    forEach(groups(), LongestOfGroup{count_.span(), std::uint32_t(room_), lists_.span(), groupLength_.span()});
-    const int behind = int(exclusiveScan(groupLength_, before_, "rows of neighbours"));
-    if (!isWide() && makeRoomForWide())
-    {
-        find(points, n, grid, sources, sameSet, rowsOfRooms(), std::numeric_limits<int>::max());
-        return storeLong(points, n, grid, sources, sameSet);
-    }
-    const int inRooms = rowsOfRooms();
-    longLists_ = behind > 0;
-    if (!longLists_) return;
-    if (rows_.size() - inRooms < behind)
-    {
-        const int rows = inRooms + behind + std::max(behind / 4, inRooms / 64);
-        find(points, n, grid, sources, sameSet, rows, std::numeric_limits<int>::max());
-    }
-    forEach(groups(), PlaceLongGroup{std::uint32_t(inRooms), groupLength_.span(), before_.span(), lists_.span()});
-    const Search search{grid.view(), points, sources, support_, sameSet};
-    forEachPoint(n, StoreNeighbours{search, groupLength_.span(), lists_.span(), rows_.span()});
-
-    // Of few points memory is little, and to wait for the sum of rows takes long.
-    constexpr int more = 8, most = 60;
-    if (n <= fewPoints && room_ < most) room_ += more;
 }
 
 #else
@@ -453,7 +409,7 @@ void NeighbourList::search(Span<const Vec3> points, int n, const CellGrid& grid,
     parts_.resize((n + partSize - 1) / partSize);
     forEach(int(parts_.size()), FindNeighbours{search, count_.span(), parts_.data()});
     groupLength_.resizeDiscarding(groups());
-    forEach(groups(), LongestOfGroup{count_.span(), 0, groupLength_.span()});
+    forEach(groups(), LongestOfGroup{count_.span(), groupLength_.span()});
     rows_.resizeDiscarding(int(exclusiveScan(groupLength_, start_, "rows of neighbours")));
     forEach(int(parts_.size()), CopyLists{parts_.data(), start_.span(), rows_.span()});
 }

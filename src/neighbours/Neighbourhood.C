@@ -36,6 +36,7 @@ void Neighbourhood::search(Liquid& liquid, float wideSupport)
         grid_ = CellGrid(liquid.support(), std::max(liquid.support(), wideSupport));
         wideSupport_ = wideSupport;
     }
+    list_.forget();
     liquid.fields().reorder(grid_.build(liquid.predicted.span(), liquid.all()));
     const Span<const Vec3> points = liquid.predicted.span();
     list_.search(points, liquid.owned(), grid_, points, true);

@@ -14,6 +14,7 @@ template<class Move>
 void predict(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& models, float dt, const Move& move)
 {
     predictPositions(liquid, dt);
+    models.freeSurface->forget();
     near.search(liquid, models.freeSurface->support());
     walls.search(liquid);
     move();

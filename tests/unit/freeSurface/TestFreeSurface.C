@@ -30,7 +30,7 @@ TEST(FreeSurface, ThatNobodyAskedForCostsNothing)
 }
 
 // In parts: of a drop that has grown those are left out for whom there was no room; searched for once more all are there, as if it had been
-// looked at for the first time. Memory is for a quarter more than are near the surface.
+// looked at for the first time. Memory is for an eighth more than are near the surface.
 TEST(FreeSurface, FindsRoomWhenItGrows)
 {
     LiquidCase drop;
@@ -52,7 +52,7 @@ TEST(FreeSurface, FindsRoomWhenItGrows)
     ASSERT_EQ(drop.surface.view().position.size, room);
     const auto expected = large.surface.particles().indices.download(), found = drop.surface.particles().indices.download();
     const auto count = large.surface.particles().before.download().back();
-    EXPECT_EQ(room, int(count + count / 4));
+    EXPECT_EQ(room, int(count + count / 8));
     for (std::uint32_t k = 0; k < count; ++k) ASSERT_EQ(found[k], expected[k]);
 }
 

@@ -269,6 +269,33 @@ TEST(NeighbourList, FindsTheNeighboursOfManyPoints)
     }
 }
 
+// Many with long lists: each point of a lattice several times, so that a neighbourhood has up to 75 others; the last group of 32 is not full.
+TEST(NeighbourList, FindsLongListsOfManyPoints)
+{
+    constexpr int copies = 4;
+    const Lattice lattice{41};
+    const auto once = lattice.points();
+    const int n = int(once.size());
+    std::vector<Vec3> points;
+    for (int copy = 0; copy < copies; ++copy) points.insert(points.end(), once.begin(), once.end());
+    NeighbourList list(support, 20);
+    auto lists = neighboursOf(points, points, true, list);
+    for (int i = 0; i < copies * n; ++i)
+    {
+        std::sort(lists[i].begin(), lists[i].end());
+        const auto around = lattice.neighbours(i % n, true);
+        std::vector<int> expected;
+        for (int copy = 0; copy < copies; ++copy)
+        {
+            for (const int j : around)
+            {
+                if (j + copy * n != i) expected.push_back(j + copy * n);
+            }
+        }
+        ASSERT_EQ(lists[i], expected) << i;
+    }
+}
+
 // Many that lie across the edge of the grid's copies, where indices of neighbours lie in many places: what finds no room on a GPU is cut off, made whole,
 // and finds room the next time. The grid of so many points has 64 cells along y and 32 along z.
 TEST(NeighbourList, FindsTheNeighboursOfManyPointsAcrossAnEdgeOfTheGrid)
