@@ -179,9 +179,9 @@ struct FindNeighbours
         NeighbourRow row[most];
     };
 
-    // Rows at the beginning that groups have in common which find no others: until there is room their lists are as long, but name the first source
-    // alone.
-    static constexpr int common = 2 * most;
+    // Rows at the beginning that groups have in common which find no others: until there is room their lists are as long, but all entries are zero and
+    // mean the group's first point (which lies beside the others: nobody takes these for surface), or the first of other sources.
+    static constexpr int common = most;
 
     Search search;
     Span<std::uint32_t> count;
@@ -216,9 +216,9 @@ struct FindNeighbours
             list.start = std::uint32_t(row) | (wide ? ListsOfGroup::wide : 0);
             if (row < common)
             {
-                list.start = ListsOfGroup::wide;
+                list = {0, {search.sameSet ? group * s : 0, 0, 0}};
                 n = n < most ? n : most;
-                for (int k = 0; k < n; ++k) store(rows.data, true, k, place, 0);
+                for (int k = 0; k < n; ++k) store(rows.data, false, k, place, 0);
                 break;
             }
             if (!wide && longest <= most)

@@ -27,6 +27,7 @@ void Readback::ask(const Buffer<std::uint32_t>& words)
 {
     words_.resizeDiscarding(words.size() + 1);
     words_.data()[0] = 0;
+    before_ = device::launchQueue().enqueued();
     device::launchQueue().enqueue<bring>(1, 32, words.span().data, words.size(), words_.data(), ++asked_);
 }
 
@@ -34,23 +35,39 @@ Readback::Post Readback::ask()
 {
     words_.resizeDiscarding(2);
     words_.data()[0] = 0;
-    return {words_.data() + 1, words_.data(), ++asked_};
+    before_ = device::launchQueue().enqueued();
+    return {words_.data() + 1, {words_.data(), ++asked_}};
 }
 
 const std::uint32_t* Readback::wait()
 {
     device::LaunchQueue& queue = device::launchQueue();
-    const cudaStream_t stream = queue.stream();
-    constexpr int often = 1 << 12;                      // looks at the word, until the GPU is asked whether it is well
-    for (int k = 1; *const_cast<volatile std::uint32_t*>(words_.data()) != asked_; ++k)
+    const std::size_t given = queue.enqueued() - before_;
+    device::wait({words_.data(), asked_}, 1);
+    constexpr std::size_t few = 4;
+    if (given <= few) queue.idle();                     // of more it has work left
+    return words_.data() + 1;
+}
+
+namespace device
+{
+
+void wait(const Stamp& stamp, int n)
+{
+    const cudaStream_t stream = launchQueue().stream();
+    constexpr int often = 1 << 12;                      // looks at a word, until the GPU is asked whether it is well
+    for (int k = 0; k < n; ++k)
     {
-        if (k % often != 0) continue;
-        const cudaError_t status = cudaStreamQuery(stream);
-        if (status != cudaErrorNotReady) device::check(status, "a kernel failed");
+        for (int looks = 1; const_cast<volatile std::uint32_t*>(stamp.words)[k] != stamp.time; ++looks)
+        {
+            if (looks % often == 0 && cudaStreamQuery(stream) != cudaErrorNotReady) check(cudaStreamSynchronize(stream), "a kernel failed");
+        }
     }
     std::atomic_thread_fence(std::memory_order_acquire);
-    queue.idle();
-    return words_.data() + 1;
+}
+
+void idle() { launchQueue().idle(); }
+
 }
 
 }

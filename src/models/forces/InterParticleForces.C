@@ -33,9 +33,10 @@ InternalDisplacement InterParticleForces::takeDisplacement(float dt)
 void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt)
 {
     if (!active()) return;
+    tension_->begin(dt);
+    if (!wetting_->accelerates() && walls.held().all() && tension_->move(liquid, near, walls, dt)) return;
     acceleration_.resizeDiscarding(liquid.all());
     acceleration_.setZero();
-    tension_->begin(dt);
     tension_->apply(liquid, near, walls, acceleration_);
     wetting_->apply(liquid, near, walls, acceleration_);
     displace(liquid, acceleration_, dt);

@@ -169,18 +169,18 @@ struct Force
     WendlandC2 W;
     SurfaceLayerView layer;
     float sigma, restDensity, steepest, along;      // along: how much of the part along the surface
-    Span<const Vec3> x;
     NeighbourView near;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                        // with w = b
     Span<const float> curvature;
     Span<Vec3> gradient;                            // with w = the lowest pressure
-    Span<Vec3> acceleration;
+    float factor;
+    Span<Vec3> target;                              // gets factor times the acceleration
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const int k = int(surface.place[i]);
-        const Vec3 xi = x[i], mi = normal[k];
+        const Vec3 xi = surface.position[k], mi = normal[k];
         if (squared(mi) == 0) return;
         const float own = curvature[k], ownWeight = W.W(0) * mi.w;
         float weight = 0, sum = 0, spread = 0;
@@ -191,7 +191,7 @@ struct Force
             if (int(surface.place[j + 1]) == l) return;
             const Vec3 other = normal[l];
             if (!onSameSurface(mi, other)) return;
-            const Vec3 r = x[j] - xi, t = r - dot(r, mi) * mi;
+            const Vec3 r = surface.position[l] - xi, t = r - dot(r, mi) * mi;
             const float w = W.W(norm(r)) * other.w;
             weight += w;
             sum += w * curvature[l];
@@ -209,8 +209,9 @@ struct Force
         const Vec3 G = gradient[k];
         gradient[k].w = fminf(fmaxf(holds * jump, G.w), 0);
         const Vec3 g = spread > 0 ? 2 / spread * slope : Vec3{};
-        acceleration[i] += 1 / restDensity * (2 * jump / layer.sum(kappa) * mi.w * G
-                                              - along * sigma * layer.deeper(norm(G) / steepest) * g);
+        const Vec3 acceleration = 1 / restDensity * (2 * jump / layer.sum(kappa) * mi.w * G
+                                                     - along * sigma * layer.deeper(norm(G) / steepest) * g);
+        target[i] += factor * acceleration;
     }
 };
 
@@ -240,6 +241,24 @@ public:
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
+        add(liquid, near, walls, 1, acceleration);
+    }
+
+    // The force sees no positions but those of the free surface.
+    bool move(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt) override
+    {
+        add(liquid, near, walls, dt * dt, liquid.predicted);
+        return true;
+    }
+
+    void begin(float dt) override { dt_ = dt; }
+
+    bool isInternal() const override { return oneAngle_; }
+
+private:
+    // Adds factor times the acceleration.
+    void add(const Liquid& liquid, const Neighbourhood& near, const Walls& walls, float factor, Buffer<Vec3>& target)
+    {
         const WendlandC2 W = surface_.kernel();
         const float most = sharpest / liquid.spacing();
         if (!extended_) tabulate(walls, liquid.spacing());
@@ -260,16 +279,10 @@ public:
         forEachTeam(surface_.particles(), Force
         {
             W, {sums_.span(), parts_.span(), most}, sigma_, liquid.restDensity(), surface_.steepest(),
-            alongPart(), liquid.predicted.span(), near.view(), view,
-            normal.span(), curvature.span(), surface_.gradient(), acceleration.span()
+            alongPart(), near.view(), view, normal.span(), curvature.span(), surface_.gradient(), factor, target.span()
         });
     }
 
-    void begin(float dt) override { dt_ = dt; }
-
-    bool isInternal() const override { return oneAngle_; }
-
-private:
     // Of the part along the surface: less in steps longer than the capillary one.
     float alongPart() const
     {
