@@ -142,7 +142,7 @@ TEST(Models, WithoutAFreeSurfaceLeaveItIdle)
         );
         const Models models(drop.folder.path(), Dictionary(), drop.liquid, drop.walls);
         EXPECT_EQ(models.freeSurface->active(), surface);
-        EXPECT_EQ(models.freeSurface->support(), surface ? FreeSurface::usualSupport * drop.liquid.spacing() : 0);
+        EXPECT_EQ(models.freeSurface->support(), surface ? FreeSurface::usualSupport(drop.liquid) * drop.liquid.spacing() : 0);
         drop.place({{0, 0, 0.5f}, {1, 0, 0.5f}, {0, 1, 0.5f}});
         EXPECT_EQ(drop.walls.view().planes.normal.size > 0, surface);
 

@@ -149,7 +149,7 @@ public:
     {
         refuseIf(!(ordering_ >= 1 && ordering_ <= 4), controls, "ordering", "1 to 4");
         if (controls.lookupOr("coarseGrid", false)) coarse_.emplace(liquid);
-        if (!surface.active()) surface.require(liquid, walls, FreeSurface::usualSupport, 0);
+        if (!surface.active()) surface.require(liquid, walls, FreeSurface::usualSupport(liquid), 0);
     }
 
     void begin(float dt) override

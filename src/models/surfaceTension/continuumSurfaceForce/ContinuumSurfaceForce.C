@@ -36,7 +36,7 @@
 // What was tried, and what each choice gave, stands in doc/theory/continuumSurfaceForce.md.
 //
 //     surfaceTension  continuumSurfaceForce;
-//     continuumSurfaceForceCoeffs { support 3.25; }   // of the normals and the curvature, in spacings
+//     continuumSurfaceForceCoeffs { support 3.25; }   // of the normals and the curvature, in spacings; at least 1.5 of the kernel's
 
 #include "freeSurface/FreeSurface.H"
 #include "models/surfaceTension/SurfaceTension.H"
@@ -224,9 +224,8 @@ public:
         sigma_(liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension)),
         capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
     {
-        const float support = float(coeffs.lookupOr("support", double(FreeSurface::usualSupport)));
-        const float least = 1.5f * liquid.support() / liquid.spacing();
-        if (!(support >= least && support <= 8))
+        const float support = float(coeffs.lookupOr("support", double(FreeSurface::usualSupport(liquid))));
+        if (!(support >= FreeSurface::leastSupport(liquid) && support <= 8))
         {
             throw FatalInputError
             (

@@ -307,3 +307,14 @@ TEST(ContinuumSurfaceForce, RefusesASupportOutOfRange)
                           {"constant/models", "support", "1.5 times the kernel's to 8 spacings"}));
     }
 }
+
+// Where nothing is asked for, a wider kernel brings its own least.
+TEST(ContinuumSurfaceForce, HasASupportForEveryKernel)
+{
+    for (const double support : {2.0, 2.5, 4.0})
+    {
+        LiquidCase drop({.kernel = "type cubicSpline; support " + std::to_string(support) + ";"});
+        EXPECT_EQ(messageOf([&] { makeTension(drop); }), "no error");
+        EXPECT_FLOAT_EQ(drop.surface.support() / drop.liquid.spacing(), std::max(3.25f, float(1.5 * support)));
+    }
+}
