@@ -25,8 +25,9 @@
 //
 // Every point of the wall's wedge has the normal m_c = sin(theta) t + cos(theta) n. On a curved surface that meets the wall
 // at theta the normals differ by kappa tau, with tau the distance of a particle from the contact line along the surface.
-// Its points have the b of their depth, as particles do. So the wedge weighs tau int w (u.(x - y)) dy, u pointing along the surface away from the wall: of a surface of constant
-// curvature it then says the same as the liquid, and of one at another angle it gives the whole of Young's force.
+// Its points have the b of their depth, as particles do. So the wedge weighs tau int w (u.(x - y)) dy, u pointing along the surface
+// away from the wall: of a surface of constant curvature it then says the same as the liquid, and of one at another angle it
+// gives the whole of Young's force.
 //
 // No cohesion enters, so no internal pressure locks the particles; sigma and theta are the user's, and nothing is fitted.
 // Where the surface is hollow the pressure behind it may fall to 1.5 sigma kappa, and to -sigma/d away from the surface.
