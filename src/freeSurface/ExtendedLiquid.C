@@ -1,6 +1,7 @@
 #include "freeSurface/ExtendedLiquid.H"
 
 #include "device/ForEach.H"
+#include "maths/EvenTable.H"
 
 #include <cmath>
 
@@ -94,22 +95,13 @@ struct Integrate
             {
                 const float along = from + (to - from) * (float(j) + 0.5f) / n;
                 const Marginal m = marginal(sqrtf(along * along + below * below));
-                const float share = weightAt(depth - along * sine) * area;
+                const float share = valueAt(weight, depth - along * sine) * area;
                 value += m.value * share;
                 tangential -= m.slope * along * share;
                 normal -= m.slope * below * share;
             }
         }
         table[entry] = {float(value), float(tangential), float(normal)};
-    }
-
-private:
-    HOST_DEVICE float weightAt(float depth) const
-    {
-        const int last = weight.size - 1;
-        const float place = fminf(fmaxf(depth, 0), 1) * float(last);
-        const int k = int(place) < last ? int(place) : last - 1;
-        return weight[k] + (place - float(k)) * (weight[k + 1] - weight[k]);
     }
 };
 
