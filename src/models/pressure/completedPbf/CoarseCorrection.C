@@ -14,11 +14,10 @@ namespace
 {
 
 constexpr float spacings = 2;               // a cell's width
-constexpr float mostError = 0.1f;           // of C_i: more are particles pressed against a wall, less are spray
+constexpr float mostError = 0.3f;           // of C_i: what one particle counts at most, be it spray or pressed against a wall
 constexpr float tolerated = 0.01f;          // of a cell's mean: noise that would make calm liquid boil
 constexpr float spray = 0.7f;               // density below which a particle is on its own
-constexpr float crowded = 1.2f;             // density above which the colour shows where particles are pressed together, not the surface
-constexpr float atSurface = 2;              // spacings below the surface, of those who know where it is
+constexpr float atSurface = 0.75f;          // spacings below the surface, of those who tell where it is: its outermost layer
 constexpr float closedBelow = 0.3f;         // cells below the surface: more than half a spacing, so that every surface has closed nodes
 
 struct DeepInside
@@ -83,7 +82,7 @@ struct SumShape
                 return;
             }
             const SurfaceState state = surface(j);
-            if (state.depth >= atSurface * spacing || density[j] > crowded) return;
+            if (state.depth >= atSurface * spacing) return;
             const Vec3 m = 1 / fmaxf(norm(state.gradient), 1e-20f) * state.gradient;
             known += part;
             into += part * m;
