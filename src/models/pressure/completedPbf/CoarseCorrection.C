@@ -15,7 +15,8 @@ namespace
 
 constexpr float spacings = 2;               // a cell's width
 constexpr float mostError = 0.3f;           // of C_i: what one particle counts at most, be it spray or pressed against a wall
-constexpr float tolerated = 0.01f;          // of a cell's mean: noise that would make calm liquid boil
+constexpr float tolerated = 0.003f;         // of the mean around a node: noise that would make calm liquid boil
+constexpr float farthest = 0.2f;            // spacings in an iteration: more throws splashes against walls
 constexpr float spray = 0.7f;               // density below which a particle is on its own
 constexpr float atSurface = 0.75f;          // spacings below the surface, of those who tell where it is: its outermost layer
 constexpr float closedBelow = 0.3f;         // cells below the surface: more than half a spacing, so that every surface has closed nodes
@@ -127,29 +128,29 @@ struct SumError
 
     HOST_DEVICE void operator()(int cell) const
     {
-        float sum = 0, filled = 0;
-        particles.forEach(cell, [&](int j)
-        {
-            sum += part * fminf(fmaxf(density[j] - 1, -mostError), mostError);
-            filled += part;
-        });
-        const float borne = tolerated * filled;
-        error[cell] = sum > borne ? sum - borne : fminf(sum + borne, 0);
+        float sum = 0;
+        particles.forEach(cell, [&](int j) { sum += part * fminf(fmaxf(density[j] - 1, -mostError), mostError); });
+        error[cell] = sum;
     }
 };
 
 struct SourceOfNodes
 {
     CoarseBox box;
-    Span<const float> error;
+    Span<const float> error, fill;
     Span<const std::uint8_t> open;
     Span<float> source;
 
     HOST_DEVICE void operator()(int i) const
     {
-        float sum = 0;
-        box.forEachCellAround(box.nodeAt(i), [&](int cell, int, int, int) { sum += error[cell]; });
-        source[i] = open[i] ? 0.125f * box.width * box.width * sum : 0;
+        float sum = 0, filled = 0;
+        box.forEachCellAround(box.nodeAt(i), [&](int cell, int, int, int)
+        {
+            sum += error[cell];
+            filled += fill[cell];
+        });
+        const float borne = tolerated * filled, beyond = sum > borne ? sum - borne : fminf(sum + borne, 0);
+        source[i] = open[i] ? 0.125f * box.width * box.width * beyond : 0;
     }
 };
 
@@ -244,8 +245,9 @@ void CoarseCorrection::begin(const Liquid& liquid, const FreeSurface& surface)
     const PointBounds bounds = reduce(liquid.owned(), DeepInside{view.place, x}, scratch_);
     if (bounds.low.x > bounds.high.x) return;
 
-    // As far as liquid can be around those deep inside.
-    const float width = spacings * liquid.spacing(), around = liquid.support();
+    // Those deep inside see the surface from one support away, or from as far as the next layer then is. The nodes around it belong to the box:
+    // without closed ones nothing could give way.
+    const float width = spacings * liquid.spacing(), around = liquid.support() + width;
     const auto cellOf = [&](float at) { return int(std::floor(at / width)); };
     CoarseBox box;
     box.width = width;
@@ -300,11 +302,11 @@ void CoarseCorrection::apply(Liquid& liquid)
     {
         {grid_.view(), box_, order_.span(), liquid.predicted.span()}, part, liquid.density.span(), error_.span()
     });
-    forEach(box_.nodes(), SourceOfNodes{box_, error_.span(), open_.span(), poisson_.source()});
+    forEach(box_.nodes(), SourceOfNodes{box_, error_.span(), fill_.span(), open_.span(), poisson_.source()});
     poisson_.solve(cycles);
     forEach(box_.cells(), GradientOfCells{box_, poisson_.solution(), ofCells_.span()});
     forEach(box_.nodes(), GradientOfNodes{box_, fill_.span(), ofCells_.span(), ofNodes_.span(), known_.span()});
-    forEach(liquid.owned(), MoveApart{box_, liquid.spacing(), ofNodes_.span(), known_.span(), liquid.predicted.span()});
+    forEach(liquid.owned(), MoveApart{box_, farthest * liquid.spacing(), ofNodes_.span(), known_.span(), liquid.predicted.span()});
 }
 
 }
