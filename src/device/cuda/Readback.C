@@ -11,29 +11,26 @@ namespace shizuku
 namespace
 {
 
-// A warp brings the words to the host's memory, behind one that says which time this is. A copy and an event would take the GPU
-// longer, and interrupt a graph.
-__global__ void bring(const std::uint32_t* words, int n, std::uint32_t* host, std::uint32_t time)
+// A warp brings the words to the host's memory. A copy and an event would take the GPU longer, and interrupt a graph.
+__global__ void bring(Span<const std::uint32_t> words, Readback::Post post)
 {
-    for (int i = threadIdx.x; i < n; i += blockDim.x) host[1 + i] = words[i];
-    __threadfence_system();
-    __syncwarp();
-    if (threadIdx.x == 0) *const_cast<volatile std::uint32_t*>(host) = time;
+    for (int i = threadIdx.x; i < words.size; i += blockDim.x) post.words[i] = words[i];
+    __syncwarp();                                       // the stamp stands behind the words of all lanes
+    if (threadIdx.x == 0) post.stamp(0);
 }
 
 }
 
 void Readback::ask(const Buffer<std::uint32_t>& words)
 {
-    words_.resizeDiscarding(words.size() + 1);
-    words_.data()[0] = 0;
-    before_ = device::launchQueue().enqueued();
-    device::launchQueue().enqueue<bring>(1, 32, words.span().data, words.size(), words_.data(), ++asked_);
+    const Post post = ask(words.size());
+    device::launchQueue().enqueue<bring>(1, 32, words.span(), post);
 }
 
-Readback::Post Readback::ask()
+// The words, behind one that says which time this is.
+Readback::Post Readback::ask(int n)
 {
-    words_.resizeDiscarding(2);
+    words_.resizeDiscarding(n + 1);
     words_.data()[0] = 0;
     before_ = device::launchQueue().enqueued();
     return {words_.data() + 1, {words_.data(), ++asked_}};

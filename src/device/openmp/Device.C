@@ -48,13 +48,12 @@ DeviceCounters& deviceCounters()
 
 void Readback::ask(const Buffer<std::uint32_t>& words)
 {
-    words_.resizeDiscarding(words.size());
-    words.download(words_.data(), words.size());
+    words.download(ask(words.size()).words, words.size());
 }
 
-Readback::Post Readback::ask()
+Readback::Post Readback::ask(int n)
 {
-    words_.resizeDiscarding(1);
+    words_.resizeDiscarding(n);
     return {words_.data(), {}};
 }
 
