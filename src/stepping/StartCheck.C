@@ -4,6 +4,7 @@
 #include "device/Reduce.H"
 #include "geometry/Vector3.H"
 #include "motion/Motion.H"
+#include "stepping/PressureIterations.H"
 
 #include <cmath>
 #include <sstream>
@@ -147,12 +148,7 @@ int relaxOverlap(Liquid& liquid, Neighbourhood& near, Walls& walls, const StartL
         predictPositions(liquid, 0);
         near.update(liquid);
         walls.update(liquid);
-        pressure->begin(1);
-        while (pressure->violated(liquid, near, walls))
-        {
-            pressure->correct(liquid, near, walls);
-            walls.project(liquid);
-        }
+        iterate(liquid, near, walls, *pressure, 1, [] {});
         liquid.position.swap(liquid.predicted);
         if (pressure->iterations() <= 1 && !measureCrowding(liquid).overlaps(limits)) return round;
     }

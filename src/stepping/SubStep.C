@@ -1,6 +1,7 @@
 #include "stepping/SubStep.H"
 
 #include "motion/Motion.H"
+#include "stepping/PressureIterations.H"
 
 namespace shizuku
 {
@@ -32,20 +33,6 @@ void predict(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& mo
     }
 }
 
-// iterate: what acts besides the pressure in each of its iterations.
-template<class Iterate>
-void project(Liquid& liquid, Neighbourhood& near, Walls& walls, Pressure& pressure, float dt, const Iterate& iterate)
-{
-    walls.project(liquid);
-    pressure.begin(dt);
-    while (pressure.violated(liquid, near, walls))
-    {
-        iterate();
-        pressure.correct(liquid, near, walls);
-        if (!pressure.stopsAtWalls()) walls.project(liquid);
-    }
-}
-
 }
 
 void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, float dt)
@@ -57,7 +44,8 @@ void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, 
         models.forces.applyBeforeIterations(liquid, near, walls, dt);
     });
     liquid.velocity = {};                                   // is computed anew: its memory serves the pressure
-    project(liquid, near, walls, *models.pressure, dt, [&] { models.forces.applyInIteration(liquid, near, walls, dt); });
+    walls.project(liquid);
+    iterate(liquid, near, walls, *models.pressure, dt, [&] { models.forces.applyInIteration(liquid, near, walls, dt); });
 
     updateVelocities(liquid, dt);
     models.pressure->correctVelocities(liquid, near, walls);
@@ -73,7 +61,8 @@ void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, f
 {
     if (!models.pressure->settles()) return;
     predict(liquid, near, walls, models, 0, [&] { models.freeSurface->search(liquid, near, walls); });
-    project(liquid, near, walls, *models.pressure, dt, [] {});
+    walls.project(liquid);
+    iterate(liquid, near, walls, *models.pressure, dt, [] {});
     liquid.position.swap(liquid.predicted);
     models.pressure->forget();
 }
