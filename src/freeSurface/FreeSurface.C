@@ -3,6 +3,7 @@
 #include "device/Algorithms.H"
 #include "device/Holds.H"
 #include "device/KeptMemory.H"
+#include "maths/EvenTable.H"
 #include "maths/Lattice.H"
 
 #include <algorithm>
@@ -200,13 +201,10 @@ private:
         return best.at + fminf(fmaxf(lowest, -1), 1) * step;
     }
 
+    // What has no number is not deep.
     HOST_DEVICE float depthOf(float ratio) const
     {
-        const int last = depthOfRatio.size - 1;
-        const float place = ratio / largestRatio * float(last);
-        if (!(place < float(last))) return depthOfRatio[last];
-        const int k = int(place);
-        return depthOfRatio[k] + (place - float(k)) * (depthOfRatio[k + 1] - depthOfRatio[k]);
+        return valueAt(depthOfRatio, ratio < largestRatio ? ratio / largestRatio : 1);
     }
 };
 
