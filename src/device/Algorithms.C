@@ -88,8 +88,7 @@ T scan(const Buffer<T>& in, Buffer<T>& out, Add add)
     const int n = in.size() + 1;
     out.resizeDiscarding(n);
     {
-        ++deviceCounters().launches;
-        const device::KernelTimer timer("scan");
+        const device::CountedKernel kernel("scan");
         device::scan(ValueOf<T>{in.span()}, n, out.span().data, KeepSums<T>{out.span(), total.data()}, add);
     }
     synchronize();
@@ -100,8 +99,7 @@ T scan(const Buffer<T>& in, Buffer<T>& out, Add add)
 
 void sort(Buffer<std::uint64_t>& keys)
 {
-    ++deviceCounters().launches;
-    const device::KernelTimer timer("sort");
+    const device::CountedKernel kernel("sort");
     device::sortKeys(keys.span().data, keys.size());
 }
 
@@ -120,8 +118,7 @@ void select(const Buffer<std::uint8_t>& chosen, Selection& selection, int room, 
         selection.indices.resize(room);
     }
     selection.before.resizeDiscarding(n + 1);
-    ++deviceCounters().launches;
-    const device::KernelTimer timer("select");
+    const device::CountedKernel kernel("select");
     const PlaceChosen place{chosen.span(), selection.before.span(), selection.indices.span(), all.ask()};
     device::scan(Chosen{chosen.span()}, n + 1, selection.before.span().data, place, thrust::plus<std::uint32_t>{});
 }
@@ -148,8 +145,7 @@ std::uint32_t exclusiveScan(const Buffer<std::uint32_t>& in, Buffer<std::uint32_
 
 void sumBefore(Buffer<std::uint32_t>& numbers)
 {
-    ++deviceCounters().launches;
-    const device::KernelTimer timer("scan");
+    const device::CountedKernel kernel("scan");
     using Number = std::uint32_t;
     const Span<Number> all = numbers.span();
     device::scan(ValueOf<Number>{all}, all.size, all.data, KeepSums<Number>{all}, thrust::plus<Number>{});

@@ -69,14 +69,15 @@ std::vector<KernelTime> stopProfile()
 namespace device
 {
 
-KernelTimer::KernelTimer(const char* name) : on_(on)
+CountedKernel::CountedKernel(const char* name) : timed_(on)
 {
-    if (on_) calls.push_back({name, mark(), 0});
+    ++deviceCounters().launches;
+    if (timed_) calls.push_back({name, mark(), 0});
 }
 
-KernelTimer::~KernelTimer()
+CountedKernel::~CountedKernel()
 {
-    if (on_) calls.back().end = mark();
+    if (timed_) calls.back().end = mark();
 }
 
 }

@@ -1,5 +1,6 @@
 #include "freeSurface/ExtendedLiquid.H"
 
+#include "device/Device.H"
 #include "device/ForEach.H"
 #include "maths/EvenTable.H"
 

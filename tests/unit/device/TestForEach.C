@@ -1,5 +1,6 @@
 #include "device/Algorithms.H"
 #include "device/Buffer.H"
+#include "device/Device.H"
 #include "device/ForEach.H"
 #include "device/Gather.H"
 
