@@ -58,6 +58,9 @@ set(SHIZUKU_DEVICE_SOURCES
     models/wetting/adhesionRatio/AdhesionRatio.C
     models/wetting/extendedSurface/ExtendedSurface.C
     models/wetting/contactAngle/ContactAngle.C
+    models/particleShifting/ParticleShifting.C
+    models/particleShifting/none/none.C
+    models/particleShifting/closePairs/ClosePairs.C
     models/viscosity/Viscosity.C
     models/viscosity/none/none.C
     models/viscosity/XSPH/XSPH.C

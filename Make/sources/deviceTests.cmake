@@ -38,6 +38,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/surfaceTension/continuumSurfaceForce/TestContinuumSurfaceForce.C
     models/surfaceTension/pairTension/TestCohesionSpline.C
     models/surfaceTension/pairTension/TestPairTension.C
+    models/particleShifting/closePairs/TestClosePairs.C
     models/viscosity/TestMomentum.C
     models/viscosity/XSPH/TestXSPH.C
     models/viscosity/laminar/TestLaminar.C

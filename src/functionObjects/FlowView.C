@@ -60,6 +60,11 @@ double FlowView::surfaceVolume()
     return builtSurface().volume() * unit * unit * unit;
 }
 
+int FlowView::particlesOutsideSurface()
+{
+    return builtSurface().particlesOutside();
+}
+
 void FlowView::moved(double dt)
 {
     dt_ = dt;

@@ -12,14 +12,14 @@ namespace
 void toleratePassiveCoefficients(const Dictionary& models)
 {
     std::vector<std::string> known;
-    for (const auto& words : {SurfaceTensionTable::words(), WettingTable::words(), ViscosityTable::words()})
+    for (const auto& words : {SurfaceTensionTable::words(), WettingTable::words(), ViscosityTable::words(), ParticleShiftingTable::words()})
     {
         for (const std::string& word : words) known.push_back(word + "Coeffs");
     }
     const std::vector<std::string> chosen
     {
         models.lookup<std::string>("surfaceTension") + "Coeffs", models.lookup<std::string>("wetting") + "Coeffs",
-        models.lookup<std::string>("viscosity") + "Coeffs"
+        models.lookup<std::string>("viscosity") + "Coeffs", models.lookupOr<std::string>("particleShifting", "none") + "Coeffs"
     };
     const auto contains = [](const auto& list, const std::string& key)
     {
@@ -40,7 +40,8 @@ Models::Models(const std::filesystem::path& casePath, const Dictionary& solution
     bodyForce(BodyForce::New(dict, casePath / "constant", liquid)),
     forces(dict, liquid, walls, *freeSurface),
     pressure(Pressure::New(dict, solution, liquid, walls, *freeSurface)),
-    viscosity(Viscosity::New(dict, liquid))
+    viscosity(Viscosity::New(dict, liquid)),
+    particleShifting(ParticleShifting::New(dict, liquid, walls, *freeSurface))
 {
     toleratePassiveCoefficients(dict);
     dict.refuseUnused();

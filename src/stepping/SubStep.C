@@ -55,6 +55,7 @@ void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, 
         models.freeSurface->support(), dt
     );
     models.viscosity->apply(liquid, near, walls, dt);
+    models.particleShifting->apply(liquid, near, walls);
 }
 
 void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, float dt)

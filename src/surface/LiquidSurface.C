@@ -165,6 +165,14 @@ struct StoreTriangles
     }
 };
 
+// Particles where the liquid's indicator is below the surface's level.
+struct CountOutside
+{
+    Indicator phi;
+
+    HOST_DEVICE SurfaceSum operator()(int i) const { return {phi.value(phi.particles[i], Team{}) < Indicator::level ? 1.0 : 0.0}; }
+};
+
 // Of the tetrahedron of a triangle and the origin, negative where the triangle looks towards it: their sum over a closed mesh
 // is what it encloses.
 struct VolumeBelow
@@ -172,7 +180,7 @@ struct VolumeBelow
     Span<const Vec3> vertices;
     Span<const std::uint32_t> triangles;
 
-    HOST_DEVICE EnclosedVolume operator()(int t) const
+    HOST_DEVICE SurfaceSum operator()(int t) const
     {
         const Vec3 a = corner(3 * t), b = corner(3 * t + 1), c = corner(3 * t + 2);
         const double x = double(b.y) * c.z - double(b.z) * c.y;
@@ -202,6 +210,7 @@ void LiquidSurface::build(Span<const Vec3> positions)
     vertices_.resizeDiscarding(0);
     normals_.resizeDiscarding(0);
     triangles_.resizeDiscarding(0);
+    particles_.resizeDiscarding(0);
     if (positions.size == 0) return;
 
     blocks_.collect(positions);
@@ -220,6 +229,12 @@ SurfaceMesh LiquidSurface::download() const
 double LiquidSurface::volume()
 {
     return reduce(triangles_.size() / 3, VolumeBelow{vertices_.span(), triangles_.span()}, scratch_).value;
+}
+
+int LiquidSurface::particlesOutside()
+{
+    const Indicator phi{kernel_, volume_, grid_.view(), particles_.span()};
+    return int(reduce(particles_.size(), CountOutside{phi}, scratch_).value);
 }
 
 void LiquidSurface::evaluateNodes()

@@ -1,9 +1,13 @@
-// The liquid's volume over time, three ways.
+// The liquid's volume over time.
 //
-//     size { type volume; }               // crowded no: without that column, for which densities are computed
+//     size { type volume; }
 //
-// volume: what the surface mesh encloses; particleVolume: d^3 times the number of particles, which never changes;
-// crowded: sum of d^3/max(rho_i/rho0, 1), which falls where particles crowd; drift: volume against particleVolume.
+//     crowded     yes;        // that column, for which densities are computed
+//     spray       no;
+//
+// volume: what the surface mesh encloses; spray: d^3 times the number of particles that it does not, on their own or in threads and
+// sheets too thin for it; particleVolume: d^3 times the number of all, which never changes; crowded: sum of d^3/max(rho_i/rho0, 1), which
+// falls where particles crowd; drift: volume against particleVolume.
 
 #include "core/fieldFile/CsvFile.H"
 #include "functionObjects/FunctionObject.H"
@@ -19,8 +23,9 @@ class Volume : public FunctionObject
 public:
     Volume(const Dictionary& dict, const FunctionSetting& setting)
     :
+        spray_(dict.lookupOr("spray", false)),
         crowded_(dict.lookupOr("crowded", true)),
-        table_(setting.folder / "volume.csv", columns(crowded_))
+        table_(setting.folder / "volume.csv", columns(spray_, crowded_))
     {
         setting.requireSurface();
     }
@@ -28,23 +33,29 @@ public:
     void execute(FlowView& flow) override
     {
         const double enclosed = flow.surfaceVolume();
-        const double particles = flow.particles() * flow.properties().particleVolume();
-        std::vector<CsvFile::Cell> row{flow.time.value(), enclosed, particles, 100 * (enclosed / particles - 1)};
-        if (crowded_) row.insert(row.end() - 1, flow.state().volume);
+        const double particle = flow.properties().particleVolume(), particles = flow.particles() * particle;
+        std::vector<CsvFile::Cell> row{flow.time.value(), enclosed};
+        if (spray_) row.emplace_back(flow.particlesOutsideSurface() * particle);
+        row.emplace_back(particles);
+        if (crowded_) row.emplace_back(flow.state().volume);
+        row.emplace_back(100 * (enclosed / particles - 1));
         table_.addRow(row);
     }
 
     const CsvFile* table() const override { return &table_; }
 
 private:
-    static std::vector<CsvFile::Column> columns(bool crowded)
+    static std::vector<CsvFile::Column> columns(bool spray, bool crowded)
     {
-        std::vector<CsvFile::Column> columns{{"time", "s"}, {"volume", "m3"}, {"particleVolume", "m3"}, {"drift", "%"}};
-        if (crowded) columns.insert(columns.end() - 1, CsvFile::Column{"crowded", "m3"});
+        std::vector<CsvFile::Column> columns{{"time", "s"}, {"volume", "m3"}};
+        if (spray) columns.push_back({"spray", "m3"});
+        columns.push_back({"particleVolume", "m3"});
+        if (crowded) columns.push_back({"crowded", "m3"});
+        columns.push_back({"drift", "%"});
         return columns;
     }
 
-    bool crowded_;
+    bool spray_, crowded_;
     CsvFile table_;
 };
 

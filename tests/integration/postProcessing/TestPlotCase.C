@@ -36,7 +36,7 @@ TEST_F(DropCase, PlotCaseDrawsFunctionObjects)
     write
     (
         "postProcessing/v/0/volume.csv",
-        "time [s],volume [m3],particleVolume [m3],crowded [m3],drift [%]\n0,1e-9,1e-9,1e-9,0\n0.1,1.1e-9,1e-9,1e-9,10\n"
+        "time [s],volume [m3],spray [m3],particleVolume [m3],crowded [m3],drift [%]\n0,1e-9,0,1e-9,1e-9,0\n0.1,1.1e-9,1e-11,1e-9,1e-9,10\n"
     );
     write
     (
@@ -60,7 +60,7 @@ TEST_F(DropCase, PlotCaseDrawsFunctionObjects)
         EXPECT_TRUE(holds(read(file + ".svg"), texts)) << table;
     };
     drawn("e/0/energy", {"energy [µJ]", "kinetic", "gravitational", "surface", "total", "time [ms]"});
-    drawn("v/0/volume", {"volumes [mm3]", "particleVolume", "crowded", "drift [%]"});
+    drawn("v/0/volume", {"volumes [mm3]", "spray", "particleVolume", "crowded", "drift [%]"});
     drawn("s/0/spreadDiameter", {"wettedArea [mm2]", "wettedDiameter [mm]", "height [mm]", "tank (0 0 1)", "tank (1 0 0)"});
     drawn("p/0/probes", {"Ux [m/s]", "p [Pa]", "probe 0 (0 0 1) mm", "probe 1 (0 0 2) mm", "fill"});
 }

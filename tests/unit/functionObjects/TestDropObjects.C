@@ -59,6 +59,15 @@ TEST(Volume, IsTheMeshsAndTheParticles)
     less.step(halfBall());
     EXPECT_TRUE(less.table(table).starts_with("time [s],volume [m3],particleVolume [m3],drift [%]\n"));
     for (const std::string column : {"volume", "drift"}) EXPECT_EQ(less.value(table, column), flow.value(table, column));
+
+    // Three particles on their own.
+    auto splashed = halfBall();
+    for (const float x : {15.0f, 20.0f, 25.0f}) splashed.push_back({x, 0, 5});
+    FlowCase spray("size { type volume; spray yes; }", onAPlane);
+    spray.step(splashed);
+    EXPECT_TRUE(spray.table(table).starts_with("time [s],volume [m3],spray [m3],particleVolume [m3],crowded [m3],drift [%]\n"));
+    EXPECT_NEAR(spray.value(table, "spray"), 3*d*d*d, 1e-6*d*d*d);
+    EXPECT_EQ(spray.value(table, "volume"), flow.value(table, "volume"));
 }
 
 TEST(Energy, IsThatOfTheHalfBall)

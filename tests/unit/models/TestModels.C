@@ -39,6 +39,7 @@ TEST(Models, HaveTheirWords)
     EXPECT_EQ(WettingTable::words(), (Words{"Akinci2013", "adhesionRatio", "contactAngle", "extendedSurface", "none"}));
     EXPECT_EQ(ViscosityTable::words(), (Words{"XSPH", "laminar", "none"}));
     EXPECT_EQ(BodyForceTable::words(), (Words{"gravity", "none"}));
+    EXPECT_EQ(ParticleShiftingTable::words(), (Words{"closePairs", "none"}));
 }
 
 TEST(Models, AreMadeByEveryWord)
@@ -68,6 +69,11 @@ TEST(Models, AreMadeByEveryWord)
     {
         EXPECT_NE(Viscosity::New(choosing("viscosity", word), drop.liquid), nullptr) << word;
     }
+    for (const auto& word : ParticleShiftingTable::words())
+    {
+        const Dictionary models = choosing("particleShifting", word);
+        EXPECT_NE(ParticleShifting::New(models, drop.liquid, drop.walls, drop.surface), nullptr) << word;
+    }
     for (const auto& word : BodyForceTable::words())
     {
         EXPECT_NE(BodyForce::New(choosing("bodyForce", word), constant, drop.liquid), nullptr) << word;
@@ -91,6 +97,8 @@ TEST(Models, OfAnUnknownWordListTheChoices)
                       {"Unknown wetting model 'angle'", "Akinci2013", "contactAngle", "none"}));
     EXPECT_TRUE(holds(messageOf([&] { Viscosity::New(choosing("viscosity", "xsph"), drop.liquid); }),
                       {"Unknown viscosity model 'xsph'", "Did you mean 'XSPH'?", "laminar", "none"}));
+    EXPECT_TRUE(holds(messageOf([&] { ParticleShifting::New(choosing("particleShifting", "pairs"), drop.liquid, drop.walls, drop.surface); }),
+                      {"Unknown particleShifting model 'pairs'", "closePairs", "none"}));
     EXPECT_TRUE(holds(messageOf([&] { BodyForce::New(choosing("bodyForce", "gravitiy"), constant, drop.liquid); }),
                       {"Unknown bodyForce model 'gravitiy'", "Did you mean 'gravity'?", "none"}));
 }
@@ -106,6 +114,7 @@ TEST(Models, ThatAreOffLaunchAndAllocateNothing)
     InterParticleForces forces(none, drop.liquid, drop.walls, drop.surface);
     const auto pressure = Pressure::New(none, Dictionary(), drop.liquid, drop.walls, drop.surface);
     const auto viscosity = Viscosity::New(none, drop.liquid);
+    const auto shifting = ParticleShifting::New(none, drop.liquid, drop.walls, drop.surface);
     bodyForce->apply(drop.liquid, 0.01f);
     forces.applyBeforeIterations(drop.liquid, drop.near, drop.walls, 0.01f);
     forces.applyInIteration(drop.liquid, drop.near, drop.walls, 0.01f);
@@ -114,6 +123,7 @@ TEST(Models, ThatAreOffLaunchAndAllocateNothing)
     pressure->correct(drop.liquid, drop.near, drop.walls);
     EXPECT_EQ(pressure->iterations(), 0);
     viscosity->apply(drop.liquid, drop.near, drop.walls, 0.01f);
+    shifting->apply(drop.liquid, drop.near, drop.walls);
     drop.surface.update(drop.liquid, drop.near, drop.walls);
     EXPECT_FALSE(forces.active());
     EXPECT_FALSE(drop.surface.active());

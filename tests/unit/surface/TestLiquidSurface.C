@@ -175,6 +175,20 @@ TEST(LiquidSurface, KnowsItsVolumeWithoutTheHost)
     EXPECT_TRUE(surface.download().triangles.empty());
 }
 
+// A particle alone has phi = W(0) V/S = 0.32, two of them 0.40; a block's at its corners have 0.61. Nothing is told of the liquid before.
+TEST(LiquidSurface, KnowsWhomItDoesNotEnclose)
+{
+    LiquidSurface mesher(parameters);
+    auto points = latticeBlock(6, 6, 6, 1);
+    extract(mesher, points);
+    EXPECT_EQ(mesher.particlesOutside(), 0);
+    for (const Vec3& p : {Vec3{20, 0, 0}, Vec3{0, 20, 0}, Vec3{0, 21, 0}}) points.push_back(p);
+    extract(mesher, points);
+    EXPECT_EQ(mesher.particlesOutside(), 3);
+    extract(mesher, {});
+    EXPECT_EQ(mesher.particlesOutside(), 0);
+}
+
 TEST(LiquidSurface, RefusesParticlesThatFlewAway)
 {
     const auto message = messageOf<FatalError>([]

@@ -23,12 +23,12 @@ constexpr float closedBelow = 0.3f;         // cells below the surface: more tha
 
 struct DeepInside
 {
-    Span<const std::uint32_t> place;        // FreeSurfaceView
+    FreeSurfaceView surface;
     Span<const Vec3> x;
 
     HOST_DEVICE PointBounds operator()(int i) const
     {
-        if (place[i + 1] != place[i]) return {};
+        if (!surface.isInside(i)) return {};
         return {x[i], x[i]};
     }
 };
@@ -242,7 +242,7 @@ void CoarseCorrection::begin(const Liquid& liquid, const FreeSurface& surface)
     box_ = {};
     const Span<const Vec3> x = liquid.predicted.span();
     const FreeSurfaceView view = surface.view();
-    const PointBounds bounds = reduce(liquid.owned(), DeepInside{view.place, x}, scratch_);
+    const PointBounds bounds = reduce(liquid.owned(), DeepInside{view, x}, scratch_);
     if (bounds.low.x > bounds.high.x) return;
 
     // Those deep inside see the surface from one support away, or from as far as the next layer then is. The nodes around it belong to the box:

@@ -1,0 +1,22 @@
+// Particles stay where the step has brought them.
+
+#include "models/particleShifting/ParticleShifting.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+class NoShifting : public ParticleShifting
+{
+public:
+    NoShifting(const Dictionary&, Liquid&, Walls&, FreeSurface&) {}
+    void apply(Liquid&, const Neighbourhood&, const Walls&) override {}
+};
+
+const ParticleShiftingTable::Add<NoShifting> registered{"none"};
+
+}
+
+}
