@@ -19,6 +19,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/bodyForce/gravity/TestGravity.C
     models/density/TestDensity.C
     models/forces/TestNetMotion.C
+    models/particleShifting/closePairs/TestClosePairs.C
     models/pressure/Clavet2005/TestClavet2005.C
     models/pressure/DFSPH/TestDFSPH.C
     models/pressure/PCISPH/TestPCISPH.C
@@ -38,7 +39,6 @@ set(SHIZUKU_DEVICE_TESTS
     models/surfaceTension/continuumSurfaceForce/TestContinuumSurfaceForce.C
     models/surfaceTension/pairTension/TestCohesionSpline.C
     models/surfaceTension/pairTension/TestPairTension.C
-    models/particleShifting/closePairs/TestClosePairs.C
     models/viscosity/TestMomentum.C
     models/viscosity/XSPH/TestXSPH.C
     models/viscosity/laminar/TestLaminar.C

@@ -172,7 +172,7 @@ Scene Scene::read(const fs::path& path, const fs::path& filled, const StoredStud
     scene.viscosity = liquid.lookupDimensionedOr("nu", dimensions::kinematicViscosity, 0);
     scene.surfaceTension = liquid.lookupDimensionedOr("sigma", dimensions::surfaceTension, 0);
     scene.duration = std::max(0.0, time.endTime() - time.value());
-    for (const char* kind : {"pressure", "surfaceTension", "wetting", "viscosity", "bodyForce"})
+    for (const char* kind : {"pressure", "surfaceTension", "wetting", "viscosity", "bodyForce", "particleShifting"})
     {
         scene.models[kind] = models.lookupOr<std::string>(kind, "none");
     }

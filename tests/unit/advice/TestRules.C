@@ -31,7 +31,7 @@ protected:
         scene_.models =
         {
             {"pressure", "completedPbf"}, {"surfaceTension", "continuumSurfaceForce"}, {"wetting", "extendedSurface"},
-            {"viscosity", "XSPH"}, {"bodyForce", "none"}
+            {"viscosity", "XSPH"}, {"bodyForce", "none"}, {"particleShifting", "none"}
         };
         scene_.maxCapillaryCo = 0.7;
         scene_.smoothing = 0.2;
@@ -263,13 +263,16 @@ TEST_F(RuleTest, coarseGridForDeepLiquid)
     scene_.bodies[0].impactSpeed = U;
     const double step = d*std::sqrt(0.1/(10*H + U*U));                     // throws it by 0.1 of a spacing
     scene_.subStep = step*(1 + close);
+    EXPECT_EQ(changes(ask("deepLiquid", 0.05)), "pressure/coarseGrid=yes particleShifting=closePairs");
+    scene_.models["particleShifting"] = "closePairs";
     EXPECT_EQ(changes(ask("deepLiquid", 0.05)), "pressure/coarseGrid=yes");
     EXPECT_TRUE(holds(ask("deepLiquid", 0.05)->reason, {"reach 16 of 40 spacings", "0.1 of one"}));
     scene_.coarseGrid = true;
     EXPECT_EQ(changes(ask("deepLiquid", 0.05)), "");
     scene_.subStep = step*(1 - close);
-    EXPECT_EQ(changes(ask("deepLiquid", 0.05)), "pressure/coarseGrid=no");
+    EXPECT_EQ(changes(ask("deepLiquid", 0.05)), "pressure/coarseGrid=no particleShifting=none");
     scene_.coarseGrid = false;
+    scene_.models["particleShifting"] = "none";
     EXPECT_EQ(changes(ask("deepLiquid", 0.05)), "");
     scene_.maxIterations = 20;                                             // which reach all of it
     EXPECT_EQ(changes(ask("deepLiquid", 0.05)), "no advice");

@@ -1,0 +1,72 @@
+// Diffusion: particles move towards where fewer are. (Equation and source of the model.)
+//
+//     s_i = -a h^2 sum_j V grad W_ij
+//
+//     particleShifting  @word@;
+//     @word@Coeffs  { strength 0.01; }      // a, 0 to 1
+
+#include "device/ForEach.H"
+#include "models/particleShifting/ParticleShifting.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+template<class Kernel>
+struct Diffuse
+{
+    Kernel W;
+    float factor;                       // a h^2 V
+    Span<const Vec3> x;
+    NeighbourView near;
+    WallStop stop;
+    Span<Vec3> shifted;
+
+    HOST_DEVICE void operator()(int i, Team team) const
+    {
+        const Vec3 xi = x[i];
+        Team::Vector sum;
+        near.forEach(i, xi, x, [&](auto, auto r) { sum += W.g(norm(r)) * r; }, team);
+        const Vec3 admitted = stop(i, xi - factor * team.sum(sum), team);
+        if (team.first()) shifted[i] = admitted;
+    }
+};
+
+class @class@ : public ParticleShifting
+{
+public:
+    @class@(const Dictionary& coeffs, Liquid&, Walls&, FreeSurface&)
+    :
+        strength_(float(coeffs.lookupOr("strength", 0.01)))
+    {
+        if (!(strength_ >= 0 && strength_ <= 1)) throw FatalInputError(coeffs.where("strength"), "The strength is out of range", "0 to 1");
+    }
+
+    void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    {
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                forEachTeam(liquid.owned(), Diffuse<Kernel>
+                {
+                    W, strength_ * W.h * W.h * liquid.particleVolume(), liquid.position.span(), near.view(), walls.stop(liquid),
+                    liquid.predicted.span()
+                });
+            },
+            liquid.kernel()
+        );
+        liquid.position.swap(liquid.predicted);
+    }
+
+private:
+    float strength_;
+};
+
+const ParticleShiftingTable::Add<@class@> registered{"@word@"};
+
+}
+
+}
