@@ -4,7 +4,6 @@
 #include "core/fieldFile/PostProcessing.H"
 #include "study/ComparisonRows.H"
 
-#include <charconv>
 #include <cmath>
 
 namespace shizuku
@@ -34,13 +33,7 @@ MeasuredError ErrorMeasure::of(const RunOutcome& outcome) const
         const ComparedNumber row = ComparisonRows(outcome.path).require(name_, quantity_, where_);
         return {row.reference, row.measured, relative_ ? percent(row.measured, row.reference) : std::abs(row.deviation)};
     }
-    const std::string text = withWords(reference_.text, outcome.values, reference_.where);
-    double reference = 0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), reference);
-    if (status != std::errc() || end != text.data() + text.size())
-    {
-        throw FatalInputError(reference_.where, "The reference '" + text + "' is no number", "one, or a word @theta@ of the case");
-    }
+    const double reference = numberOf(reference_, outcome.values);
     const CsvTable table = readTable(outcome.path, name_, file_);
     if (!table.has(quantity_))
     {

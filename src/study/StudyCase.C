@@ -1,11 +1,13 @@
 #include "study/StudyCase.H"
 
 #include "core/dictionary/DictionaryEditor.H"
+#include "core/dictionary/DictionaryWriter.H"
 #include "core/dictionary/EntryPath.H"
 #include "core/dictionary/EntryText.H"
 #include "core/fieldFile/AtomicFile.H"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -32,14 +34,8 @@ std::vector<const CaseChoice*> choicesOf(const Study& study, const StudyRun& run
 // As it may stand in a dictionary: words, numbers and lists as they are, any other text in quotes.
 std::string asEntry(const std::string& text)
 {
-    if (text.starts_with('(') || (!text.empty() && text.find_first_of(" \t\n;{}\"'$#") == std::string::npos)) return text;
-    std::string quoted = "\"";
-    for (const char c : text)
-    {
-        if (c == '"' || c == '\\') quoted += '\\';
-        quoted += c;
-    }
-    return quoted + '"';
+    const bool plain = !text.empty() && text.find_first_of(" \t\n;{}\"'$#") == std::string::npos;
+    return plain || text.starts_with('(') ? text : quotedText(text);
 }
 
 // valuesFile with the choices' words in front, the last choice first: what comes first stays.
@@ -139,6 +135,15 @@ std::string withWords(const std::string& text, const Words& words, const SourceL
     }
     result.append(from, text.cend());
     return result;
+}
+
+double numberOf(const StudyText& text, const Words& values)
+{
+    const std::string number = withWords(text.text, values, text.where);
+    double value = 0;
+    const auto [end, status] = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (status == std::errc() && end == number.data() + number.size()) return value;
+    throw FatalInputError(text.where, "'" + number + "' is no number", "a number, or a word @theta@ of the case that is one");
 }
 
 std::string StudyCase::digest() const

@@ -17,17 +17,6 @@ std::string indentation(int depth)
     return std::string(4*depth, ' ');
 }
 
-std::string quoted(const std::string& text)
-{
-    std::string result = "\"";
-    for (const char c : text)
-    {
-        if (c == '"') result += '\\';
-        result += c;
-    }
-    return result + '"';
-}
-
 bool isNested(const Tree& item)
 {
     return item.data().kind == NodeKind::list || item.data().kind == NodeKind::uniformList
@@ -76,7 +65,7 @@ void writeItem(std::ostream& stream, const Tree& item, int depth)
     const NodeData& data = item.data();
     switch (data.kind)
     {
-        case NodeKind::string: stream << quoted(data.text); break;
+        case NodeKind::string: stream << quotedText(data.text); break;
         case NodeKind::verbatim: stream << "#{" << data.text << "#}"; break;
         case NodeKind::dimensions: stream << '[' << data.text << ']'; break;
         case NodeKind::list:
@@ -92,10 +81,21 @@ void writeItem(std::ostream& stream, const Tree& item, int depth)
 
 }
 
+std::string quotedText(const std::string& text)
+{
+    std::string result = "\"";
+    for (const char c : text)
+    {
+        if (c == '"') result += '\\';
+        result += c;
+    }
+    return result + '"';
+}
+
 void writeEntry(std::ostream& stream, const Tree& entry, int depth)
 {
     const NodeData& data = entry.data();
-    const std::string keyword = data.style == KeywordStyle::pattern ? quoted(data.text) : data.text;
+    const std::string keyword = data.style == KeywordStyle::pattern ? quotedText(data.text) : data.text;
     stream << indentation(depth) << keyword;
     if (data.kind == NodeKind::dictionary)
     {

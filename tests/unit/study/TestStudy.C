@@ -78,6 +78,23 @@ TEST_F(StudyOf, ChoicesGiveEntriesAndLayers)
     EXPECT_EQ(composeCase(s, runsOf(s)[1]).values.at("volume"), "1");
 }
 
+// What a dictionary takes in quotes alone, and a backslash, which stays one.
+TEST_F(StudyOf, ValuesKeepTheirText)
+{
+    folder_.write("base/note", "@set@\n");
+    const Study s = study("}\naxes { set (\"a \\d \\\"b\\\"\" \"(1 2)\" \"\"); }\n");
+    EXPECT_EQ(composeCase(s, runsOf(s)[0]).files.at("note").text, "a \\d \"b\"\n");
+    EXPECT_EQ(composeCase(s, runsOf(s)[1]).files.at("note").text, "(1 2)\n");
+    EXPECT_EQ(composeCase(s, runsOf(s)[2]).files.at("note").text, "\n");
+}
+
+TEST_F(StudyOf, NumbersOfItsTexts)
+{
+    const std::map<std::string, std::string> words{{"theta", "-1e2"}, {"set", "12 degrees"}};
+    EXPECT_EQ(numberOf({"@theta@", {}}, words), -100);
+    EXPECT_TRUE(holds(messageOf([&] { numberOf({"@set@", {"studyDict", 3}}, words); }), {"'12 degrees' is no number", "studyDict at line 3"}));
+}
+
 TEST_F(StudyOf, AVariantReplacesChoicesAndValues)
 {
     const std::string rest = "}\naxes { particles (1 8); set (default other); }\n"

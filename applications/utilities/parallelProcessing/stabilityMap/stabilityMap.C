@@ -89,23 +89,9 @@ private:
         if (!answer) return e;          // not asked of this case
         e.reference = answer->reference;
         e.measured = answer->measured;
-        e.within = numberOf(within_, outcome);
-        e.start = numberOf(start_, outcome);
+        e.within = numberOf(within_, outcome.values);
+        if (!start_.text.empty()) e.start = numberOf(start_, outcome.values);
         return e;
-    }
-
-    static double numberOf(const StudyText& text, const RunOutcome& outcome)
-    {
-        if (text.text.empty()) return StabilityEvidence::unknown;
-        const std::string value = withWords(text.text, outcome.values, text.where);
-        try
-        {
-            return std::stod(value);
-        }
-        catch (const std::logic_error&)
-        {
-            throw FatalInputError(text.where, "'" + value + "' is no number", "a number, or a word @start@ of the case");
-        }
     }
 
     StabilityLimits limits_;
