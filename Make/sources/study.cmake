@@ -12,8 +12,10 @@ set(SHIZUKU_STUDY_SOURCES
     study/Gnuplot.C
     study/ParetoFront.C
     study/RunCost.C
+    study/RunReason.C
     study/Stability.C
     study/Study.C
     study/StudyCase.C
     study/StudyEngine.C
+    study/StudyOptions.C
 )

@@ -3,13 +3,14 @@
 #include "study/StudyEngine.H"
 
 #include "core/fieldFile/AtomicFile.H"
+#include "study/RunReason.H"
+#include "study/StudyOptions.H"
 
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -78,29 +79,6 @@ std::string nameOf(RunEnd end)
     }
 }
 
-std::string reasonOf(const fs::path& casePath, int exit)
-{
-    std::ifstream stream(casePath/"log.runCases");
-    std::string reason, last;
-    bool inError = false;
-    for (std::string line; std::getline(stream, line);)
-    {
-        if (line.find_first_not_of(" \t") != std::string::npos) last = line;
-        if (line.find("--> FATAL") != std::string::npos)
-        {
-            reason.clear();
-            inError = true;
-            continue;
-        }
-        const std::size_t first = line.find_first_not_of(" \t");
-        if (inError && first == std::string::npos && !reason.empty()) inError = false;
-        if (inError && first != std::string::npos) reason += (reason.empty() ? "" : " ") + line.substr(first);
-    }
-    if (!reason.empty()) return reason;
-    return exit > 128 ? "ended by signal " + std::to_string(exit - 128)
-        : "exit " + std::to_string(exit) + (last.empty() ? "" : "; " + last);
-}
-
 void reportDeaths(const std::vector<RunOutcome>& outcomes)
 {
     for (const RunOutcome& outcome : outcomes)
@@ -109,50 +87,6 @@ void reportDeaths(const std::vector<RunOutcome>& outcomes)
         std::cout << "No result: " << outcome.run.name << ", " << nameOf(outcome.end)
                   << (outcome.reason.empty() ? "" : ": " + outcome.reason) << '\n';
     }
-}
-
-std::vector<Option> studyOptions()
-{
-    std::vector<Option> options = placeOptions(1);
-    options.push_back({"output", "DIR", "where cases, tables and charts go (default: studies/<name> below $SHIZUKU_RUN or run)", ""});
-    options.push_back({"variant", "NAME", "other choices of the axes, as the study names them", ""});
-    options.push_back({"quick", "", "-variant quick: seconds", ""});
-    options.push_back({"retry", "", "run again what died", ""});
-    options.push_back({"prepare", "", "sample the solids only, to bring them to a machine without CGAL", ""});
-    options.push_back({"draw", "", "run nothing: measure and draw what is there", ""});
-    return options;
-}
-
-namespace
-{
-
-std::string variantOf(const Arguments& args)
-{
-    if (args.found("quick") && args.found("variant"))
-    {
-        throw FatalInputError({}, "-quick and -variant exclude each other", "one of them");
-    }
-    return args.found("variant") ? args.get("variant") : args.found("quick") ? "quick" : "";
-}
-
-}
-
-Study readStudy(const Arguments& args)
-{
-    if (args.positional("study").empty())
-    {
-        const std::string& name = args.info().name;
-        throw FatalInputError({}, "No study is given", name + " STUDY, e.g. " + name + " studies/sessile");
-    }
-    return Study::read(args.positional("study"), variantOf(args));
-}
-
-fs::path studyOutput(const Arguments& args, const Study& study)
-{
-    if (args.found("output")) return fs::absolute(args.get("output"));
-    const char* const run = std::getenv("SHIZUKU_RUN");
-    const std::string variant = variantOf(args);
-    return fs::absolute(fs::path(run ? run : "run")/"studies"/(study.name + (variant.empty() ? "" : "-" + variant)));
 }
 
 StudyEngine::StudyEngine(const Study& study, const Arguments& args, const RunMeasure& measure)

@@ -11,6 +11,7 @@
 #include "core/arguments/runApplication.H"
 #include "study/ErrorMeasure.H"
 #include "study/RunCost.H"
+#include "study/StudyOptions.H"
 
 #include <cmath>
 #include <iostream>

@@ -3,6 +3,7 @@
 #include "SpeedAccuracyChart.H"
 
 #include "core/arguments/runApplication.H"
+#include "study/StudyOptions.H"
 
 #include <algorithm>
 #include <iostream>

@@ -6,6 +6,7 @@
 #include "core/dictionary/EntryText.H"
 #include "study/ComparisonRows.H"
 #include "study/RunCost.H"
+#include "study/StudyOptions.H"
 
 #include <iostream>
 
