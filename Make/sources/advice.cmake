@@ -2,6 +2,7 @@
 set(SHIZUKU_ADVICE_SOURCES
     advice/CaseEdits.C
     advice/Numbers.C
+    advice/ReadScene.C
     advice/Rule.C
     advice/Scene.C
     advice/StoredStudies.C
