@@ -4,6 +4,7 @@
 // meet.
 
 #include "Comparison.H"
+#include "LargestDrops.H"
 
 #include <limits>
 
@@ -19,17 +20,11 @@ public:
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        const CsvTable drops = results.table("probeAngle", "angle.csv");
-        if (drops.rows() == 0) throw FatalInputError({results.casePath().string(), 0}, "probeAngle found no drop");
-        std::size_t largest = drops.rows() - 1;
-        for (std::size_t row = largest; row-- > 0 && drops.text(row, "time") == drops.text(largest, "time");)
-        {
-            if (drops.number(row, "volume") > drops.number(largest, "volume")) largest = row;
-        }
+        const LargestDrops drops = LargestDrops::read(results);
         return
         {
-            absoluteRow("contact angle", "deg", theta_, drops.number(largest, "angle"), within_),
-            absoluteRow("angle along the contact line", "deg", theta_, drops.number(largest, "tangentMean"), none)
+            absoluteRow("contact angle", "deg", theta_, drops.number(drops.last(), "angle"), within_),
+            absoluteRow("angle along the contact line", "deg", theta_, drops.number(drops.last(), "tangentMean"), none)
         };
     }
 

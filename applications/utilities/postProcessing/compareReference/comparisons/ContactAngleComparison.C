@@ -5,6 +5,7 @@
 // theta = 180 for a drop that has left the wall.
 
 #include "Comparison.H"
+#include "LargestDrops.H"
 #include "reference/BashforthAdams.H"
 
 #include <algorithm>
@@ -29,64 +30,43 @@ public:
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
-        const CsvTable drops = results.table("probeAngle", "angle.csv");
-        std::vector<std::size_t> rows;          // of the largest drop, the last times
-        double lastTime = -1;
-        for (std::size_t row = 0; row < drops.rows(); ++row)
-        {
-            const double time = drops.number(row, "time");
-            if (time != lastTime) rows.push_back(row);
-            else if (drops.number(row, "volume") > drops.number(rows.back(), "volume")) rows.back() = row;
-            lastTime = time;
-        }
-        if (rows.empty()) throw FatalInputError({results.casePath().string(), 0}, "probeAngle found no drop");
-        const std::size_t last = rows.back();
-        if (theta_ == 0) return film(drops, last, results);
-        if (theta_ == 180) return liftOff(drops, last);
-        rows.erase(rows.begin(), rows.end() - std::min<long>(times_, long(rows.size())));
-        return cap(drops, rows, results);
+        const LargestDrops drops = LargestDrops::read(results);
+        if (theta_ == 0) return film(drops, results);
+        if (theta_ == 180) return liftOff(drops);
+        return cap(drops, results);
     }
 
 private:
     static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-    std::vector<ComparisonRow> film(const CsvTable& drops, std::size_t last, const CaseResults& results) const
+    std::vector<ComparisonRow> film(const LargestDrops& drops, const CaseResults& results) const
     {
-        const double height = drops.number(last, "height")/results.spacing;
-        int pieces = 0;
-        for (std::size_t row = 0; row < drops.rows(); ++row)
-        {
-            if (drops.text(row, "time") == drops.text(last, "time")) ++pieces;
-        }
+        const double height = drops.number(drops.last(), "height")/results.spacing;
         return
         {
             {"height of the film", "spacings", 1, height, height, "spacings", within_},
-            absoluteRow("pieces of the film", "", 1, pieces, 0)
+            absoluteRow("pieces of the film", "", 1, drops.piecesAtLast(), 0)
         };
     }
 
-    std::vector<ComparisonRow> liftOff(const CsvTable& drops, std::size_t last) const
+    std::vector<ComparisonRow> liftOff(const LargestDrops& drops) const
     {
-        const bool off = drops.text(last, "state") == "detached";
+        const bool off = drops.state(drops.last()) == "detached";
         return {absoluteRow("off the wall", "", 1, off ? 1 : 0, 0)};
     }
 
-    std::vector<ComparisonRow> cap
-    (
-        const CsvTable& drops, const std::vector<std::size_t>& rows, const CaseResults& results
-    ) const
+    std::vector<ComparisonRow> cap(const LargestDrops& drops, const CaseResults& results) const
     {
+        const std::size_t last = drops.last(), count = std::min(std::size_t(times_), drops.times());
         double angle = 0, low = 180, high = 0;
-        for (const std::size_t row : rows)
+        for (std::size_t time = drops.times() - count; time <= last; ++time)
         {
-            const std::string state = drops.text(row, "state");     // a film is read as 0 degrees, a drop off the wall as 180
-            const double value = state == "film" ? 0 : state == "detached" ? 180 : drops.number(row, "angle");
-            angle += value/double(rows.size());
+            const double value = drops.angle(time);
+            angle += value/double(count);
             low = std::min(low, value);
             high = std::max(high, value);
         }
         const DropProfile exact = bashforthAdamsOfVolume(results.liquidVolume(), HUGE_VAL, theta_, 2);
-        const std::size_t last = rows.back();
         return
         {
             absoluteRow("contact angle", "deg", theta_, angle, within_),

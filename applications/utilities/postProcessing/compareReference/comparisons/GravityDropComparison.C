@@ -6,6 +6,7 @@
 // time. profile.csv holds the measured outline, radius by height, beside the exact one.
 
 #include "Comparison.H"
+#include "LargestDrops.H"
 #include "core/fieldFile/CsvFile.H"
 #include "reference/BashforthAdams.H"
 
@@ -29,8 +30,8 @@ public:
         double widest = 0;
         for (const DropProfilePoint& point : exact.points) widest = std::max(widest, point.x);
 
-        const CsvTable drops = results.table("probeAngle", "angle.csv");
-        const std::size_t last = drops.rows() - 1;
+        const LargestDrops drops = LargestDrops::read(results);
+        const std::size_t last = drops.last();
         const double height = drops.number(last, "height");
         const double radius = std::sqrt(drops.number(last, "coveredArea")/std::numbers::pi);
         const double sigmaWithin = results.radius() > 0.99*l ? 3 : std::nan("");        // percent

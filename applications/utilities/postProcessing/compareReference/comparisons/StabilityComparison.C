@@ -12,6 +12,7 @@
 // Numbers that cannot be had are nan.
 
 #include "Comparison.H"
+#include "LargestDrops.H"
 #include "core/fieldFile/FieldFile.H"
 #include "geometry/NearestPoint.H"
 #include "geometry/WallShape.H"
@@ -69,27 +70,6 @@ double rmsSpeed(const CsvTable& states, double mass)
     return sum/double(count);
 }
 
-struct MeasuredDrop
-{
-    double angle = none, height = none;     // degrees, m
-};
-
-MeasuredDrop largestDrop(const CaseResults& results)
-{
-    if (!std::filesystem::exists(results.casePath()/"postProcessing/probeAngle")) return {};
-    const CsvTable drops = results.table("probeAngle", "angle.csv");
-    MeasuredDrop drop;
-    double largest = 0;
-    for (std::size_t row = 0; row < drops.rows(); ++row)
-    {
-        if (drops.text(row, "time") != drops.text(drops.rows() - 1, "time") || drops.number(row, "volume") <= largest) continue;
-        const std::string state = drops.text(row, "state");
-        largest = drops.number(row, "volume");
-        drop = {state == "film" ? 0 : state == "detached" ? 180 : drops.number(row, "angle"), drops.number(row, "height")};
-    }
-    return drop;
-}
-
 // m; of the drop at rest.
 double heightOf(const CaseResults& results, double theta)
 {
@@ -129,10 +109,11 @@ public:
             )
         };
         if (std::isnan(theta_)) return rows;
-        const MeasuredDrop drop = largestDrop(results);
-        const double R = results.radius();
-        rows.push_back(absoluteRow("contact angle", "deg", theta_, drop.angle, none));
-        rows.push_back(absoluteRow("height over R", "", heightOf(results, theta_)/R, drop.height/R, none));
+        const auto drops = LargestDrops::find(results);
+        const double angle = drops ? drops->angle(drops->last()) : none;
+        const double height = drops ? drops->number(drops->last(), "height") : none, R = results.radius();
+        rows.push_back(absoluteRow("contact angle", "deg", theta_, angle, none));
+        rows.push_back(absoluteRow("height over R", "", heightOf(results, theta_)/R, height/R, none));
         return rows;
     }
 
