@@ -14,7 +14,9 @@
 #include "vtk/Picture.H"
 #include "vtk/VirtualDisplay.H"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <regex>
@@ -42,49 +44,50 @@ TimeFolder chosenTime(const Arguments& args)
     );
 }
 
+void readSize(PictureView& view, const std::string& size)
+{
+    constexpr int smallest = 16, largest = 8192;        // twice that, oversampled, is what graphics drivers take
+    std::smatch match;
+    if (std::regex_match(size, match, std::regex("([0-9]{1,5})x([0-9]{1,5})")))
+    {
+        view.width = std::stoi(match[1]);
+        view.height = std::stoi(match[2]);
+        const auto [less, more] = std::minmax(view.width, view.height);
+        if (less >= smallest && more <= largest) return;
+    }
+    throw FatalInputError
+    (
+        {}, "Option -size has the value '" + size + "'", "WIDTHxHEIGHT in pixels from 16 to 8192, e.g. 1600x1000"
+    );
+}
+
+Vector3 readCentre(const Arguments& args)
+{
+    const std::vector<std::string> words = args.getList("centre");
+    int read = 0;
+    Vector3 centre;
+    for (int axis = 0; axis < 3 && words.size() == 3; ++axis)
+    {
+        char* end = nullptr;
+        centre[axis] = std::strtod(words[axis].c_str(), &end);
+        if (*end == 0 && std::isfinite(centre[axis])) ++read;
+    }
+    if (read == 3) return centre;
+    throw FatalInputError
+    (
+        {}, "Option -centre has the value '" + args.get("centre") + "'", "a point in metres, e.g. '(0 0 1e-3)'"
+    );
+}
+
 PictureView readView(const Arguments& args)
 {
     PictureView view;
     const std::string kind = args.get("view");
     view.kind = kind == "side" ? PictureView::Kind::side
         : kind == "above" ? PictureView::Kind::above : PictureView::Kind::perspective;
-    const std::string size = args.get("size");
-    constexpr int largest = 8192;       // twice that, oversampled, is what graphics drivers take
-    std::smatch match;
-    if (std::regex_match(size, match, std::regex("([0-9]{1,5})x([0-9]{1,5})")))
-    {
-        view.width = std::stoi(match[1]);
-        view.height = std::stoi(match[2]);
-    }
-    else view.width = 0;
-    if (view.width < 16 || view.height < 16 || view.width > largest || view.height > largest)
-    {
-        throw FatalInputError
-        (
-            {}, "Option -size has the value '" + size + "'", "WIDTHxHEIGHT in pixels from 16 to 8192, e.g. 1600x1000"
-        );
-    }
+    readSize(view, args.get("size"));
     view.azimuth = args.getDouble("azimuth");
-    if (args.found("centre"))
-    {
-        const std::vector<std::string> words = args.getList("centre");
-        std::size_t read = 0;
-        Vector3 centre;
-        for (std::size_t axis = 0; axis < words.size() && words.size() == 3; ++axis)
-        {
-            char* end = nullptr;
-            centre[int(axis)] = std::strtod(words[axis].c_str(), &end);
-            if (*end == 0 && std::isfinite(centre[int(axis)])) ++read;
-        }
-        if (read != 3)
-        {
-            throw FatalInputError
-            (
-                {}, "Option -centre has the value '" + args.get("centre") + "'", "a point in metres, e.g. '(0 0 1e-3)'"
-            );
-        }
-        view.centre = centre;
-    }
+    if (args.found("centre")) view.centre = readCentre(args);
     if (args.found("width"))
     {
         view.extent = args.getDouble("width");
