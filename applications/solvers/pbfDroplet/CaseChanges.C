@@ -150,6 +150,17 @@ void CaseChanges::make(const Time& time, bool wettability, Liquid& liquid, Walls
     watchTheta(time);
 
     std::cout << "The case has changed, the models were made anew\n";
+    takeOver(time, now);
+    if (otherTheta)
+    {
+        std::cout << "    solid/theta: " << rangeOf(cosines->particles) << " -> " << rangeOf(newCosines->particles) << " degrees\n";
+    }
+    std::cout << std::flush;
+}
+
+// The dictionaries that are in force from now on; says what is new in them.
+void CaseChanges::takeOver(const Time& time, const std::vector<Dictionary>& now)
+{
     for (std::size_t d = 0; d < now.size(); ++d)
     {
         const auto name = std::filesystem::relative(dictionaries_[d].file.path(), time.casePath());
@@ -159,11 +170,6 @@ void CaseChanges::make(const Time& time, bool wettability, Liquid& liquid, Walls
         }
         dictionaries_[d].former = now[d];
     }
-    if (otherTheta)
-    {
-        std::cout << "    solid/theta: " << rangeOf(cosines->particles) << " -> " << rangeOf(newCosines->particles) << " degrees\n";
-    }
-    std::cout << std::flush;
 }
 
 }
