@@ -8,6 +8,7 @@
 #include "StepReport.H"
 #include "core/arguments/runApplication.H"
 #include "core/fieldFile/BackgroundWriter.H"
+#include "device/DeviceApplication.H"
 #include "functionObjects/FunctionObjects.H"
 #include "motion/SpeedMeter.H"
 #include "particles/ParticleFiles.H"
@@ -27,8 +28,7 @@ namespace
 
 void pbfDroplet(const Arguments& args)
 {
-    const DeviceInfo device = openDevice();
-    std::cout << "Device : " << device.backend << ", " << device.name << "\n\n";
+    const DeviceInfo device = openNamedDevice();
 
     Time time(args.casePath());
     CaseChanges changes(time);
@@ -114,7 +114,7 @@ extern "C" int runOnDevice(int argc, char** argv)
             .summary = "Liquid with surface tension on wettable solids, by position based fluids.",
             .options =
             {
-                {"device", "auto|cuda|cpu", "where to compute; auto takes a GPU where there is one", "auto"},
+                deviceOption(),
                 {"dry-run", "", "read and check everything, print memory and cost, run nothing", ""},
                 {"profile", "", "print what each kernel took, per sub-step, at the end", ""},
                 {"noFunctionObjects", "", "leave out the function objects of system/controlDict", ""}

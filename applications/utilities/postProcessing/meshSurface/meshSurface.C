@@ -4,7 +4,7 @@
 #include "core/arguments/runApplication.H"
 #include "core/messages/Progress.H"
 #include "core/time/Time.H"
-#include "device/Device.H"
+#include "device/DeviceApplication.H"
 #include "geometry/LiquidFiles.H"
 #include "geometry/VolumeOffset.H"
 #include "geometry/surfaceFormats/SurfaceFormat.H"
@@ -83,8 +83,7 @@ int repeatsOf(const Arguments& args)
 void meshSurface(const Arguments& args)
 {
     const int repeats = repeatsOf(args);
-    const DeviceInfo device = openDevice();
-    std::cout << "Device : " << device.backend << ", " << device.name << "\n\n";
+    openNamedDevice();
 
     const double spacing = readSpacing(args.casePath());
     const Units units = Units::near(spacing, 1, 1);
@@ -133,7 +132,7 @@ extern "C" int runOnDevice(int argc, char** argv)
         .summary = "Mesh the liquid's surface by marching cubes.",
         .options =
         {
-            {"device", "auto|cuda|cpu", "where to compute; auto takes a GPU where there is one", "auto"},
+            deviceOption(),
             {"formats", "LIST", "of " + words + ", e.g. \"(ply stl)\"; default: those of system/meshSurfaceDict, or ply", ""},
             {"repeats", "N", "make each mesh N times more, and print what it takes", "0"}
         }

@@ -4,6 +4,7 @@
 #include "advice/CaseEdits.H"
 #include "advice/TrialCase.H"
 #include "core/arguments/runApplication.H"
+#include "device/DeviceApplication.H"
 
 #include <algorithm>
 #include <iomanip>
@@ -140,9 +141,8 @@ void adviseCase(const Arguments& args)
 {
     const double tolerance = readTolerance(args);
     const bool measure = args.found("measure");
-    const DeviceInfo device = openDevice();
+    const DeviceInfo device = openNamedDevice();
     const double opened = clockTime();
-    std::cout << "Device : " << device.backend << ", " << device.name << "\n\n";
 
     const StoredStudies studies;
     const TrialCase trial(args.casePath());
@@ -198,7 +198,7 @@ extern "C" int runOnDevice(int argc, char** argv)
                 {"explain", "", "print the reason of each advice, with its numbers and their source", ""},
                 {"apply", "", "write the advice into the case; the old dictionaries stay beside as *.old", ""},
                 {"measure", "", "time a few steps on this machine's device: else times are of another one", ""},
-                {"device", "auto|cuda|cpu", "where to compute; auto takes a GPU where there is one", "auto"}
+                deviceOption()
             }
         },
         adviseCase

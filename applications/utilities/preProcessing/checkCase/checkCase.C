@@ -5,6 +5,7 @@
 #include "SolidReport.H"
 #include "SolvedCase.H"
 #include "core/arguments/runApplication.H"
+#include "device/DeviceApplication.H"
 #include "motion/SpeedMeter.H"
 #include "stepping/DryRun.H"
 
@@ -35,8 +36,7 @@ void reportSteps(SolvedCase& solved, const DeviceInfo& device, Findings& finding
 
 void checkCase(const Arguments& args)
 {
-    const DeviceInfo device = openDevice();
-    std::cout << "Device : " << device.backend << ", " << device.name << "\n\n";
+    const DeviceInfo device = openNamedDevice();
 
     Findings findings;
     SolvedCase solved(args.casePath(), findings);
@@ -77,7 +77,7 @@ extern "C" int runOnDevice(int argc, char** argv)
         {
             .name = "checkCase",
             .summary = "Read a case as the solver does: errors, particles, resolution, dimensionless numbers, memory, time step.",
-            .options = {{"device", "auto|cuda|cpu", "where to compute; auto takes a GPU where there is one", "auto"}}
+            .options = {deviceOption()}
         },
         checkCase
     );
