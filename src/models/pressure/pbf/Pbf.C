@@ -1,16 +1,31 @@
-#include "models/pressure/pbf/Pbf.H"
+// Position based fluids: Macklin and Mueller 2013 with solid particles as in Fujisawa et al. 2014.
+//
+//     C_i  = rho_i/rho0 - 1                                                                          (4)
+//     s_i  = C_i / (sum_j |V grad W_ij|^2 + sum_k |V_k grad W_ik|^2 [+ |sum|^2] + epsilon)            (10), (11)
+//     dp_i = -w [ sum_j V (s_i + s_j) grad W_ij + sum_k V_k s_i grad W_ik ],   V = m/rho0            (6)
+//
+// An analytic wall stands in the sums as one particle with the half-space's gradient. Choices where the paper is
+// silent, measured in doc/theory/pbf.md:
+//
+//     pressure
+//     {
+//         ...                         // shared/PressureControls.H
+//         selfGradient    yes;        // |sum_j V grad W_ij + sum_k V_k grad W_ik|^2, the derivative by p_i itself
+//         unilateral      yes;        // C < 0 counts as 0: pressure pushes, never pulls
+//     }
 
 #include "models/density/Density.H"
+#include "models/pressure/Pressure.H"
 #include "models/pressure/shared/AddPressure.H"
+#include "models/pressure/shared/AverageCompression.H"
 #include "models/pressure/shared/ConstraintSums.H"
+#include "models/pressure/shared/PressureControls.H"
 
 namespace shizuku
 {
 
 namespace
 {
-
-const PressureTable::Add<Pbf> registered{"pbf"};
 
 template<class Kernel>
 struct Multiplier
@@ -78,74 +93,96 @@ struct Correction
     }
 };
 
-}
-
-Pbf::Pbf(const Dictionary& dict, Liquid& liquid, Walls&, FreeSurface&)
-:
-    controls_(PressureControls::read(dict, liquid)),
-    selfGradient_(dict.lookupOr("selfGradient", true)),
-    unilateral_(dict.lookupOr("unilateral", true)),
-    multiplier_(liquid.fields().require<float>({.name = "multiplier", .dimensions = dimensions::none, .sorted = false, .exchanged = true}))
-{}
-
-void Pbf::begin(float dt)
+class Pbf : public Pressure
 {
-    iterations_ = 0;
-    dt_ = dt;
-}
+public:
+    Pbf(const Dictionary& dict, Liquid& liquid, Walls&, FreeSurface&)
+    :
+        controls_(PressureControls::read(dict, liquid)),
+        selfGradient_(dict.lookupOr("selfGradient", true)),
+        unilateral_(dict.lookupOr("unilateral", true)),
+        multiplier_(liquid.fields().require<float>({.name = "multiplier", .dimensions = dimensions::none, .sorted = false, .exchanged = true}))
+    {}
 
-bool Pbf::violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls)
-{
-    if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
-    if (keepsPressure_ && iterations_ == 0)
+    void begin(float dt) override
     {
-        pressure_.resizeDiscarding(liquid.all());
-        pressure_.setZero();
+        iterations_ = 0;
+        dt_ = dt;
     }
-    std::visit
-    (
-        [&]<class Kernel>(const Kernel& W)
-        {
-            const float V = liquid.particleVolume();
-            forEach(liquid.owned(), Multiplier<Kernel>
-            {
-                W, V, V / liquid.latticeSum(), controls_.epsilon, selfGradient_, unilateral_,
-                liquid.predicted.span(), near.view(), walls.view(), liquid.density.span(), multiplier_.span()
-            });
-        },
-        liquid.kernel()
-    );
-    return compression_.wantsAnother(liquid, controls_, iterations_);
-}
 
-void Pbf::correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls)
-{
-    ++iterations_;
-    corrected_.resizeDiscarding(liquid.all());
-    std::visit
-    (
-        [&]<class Kernel>(const Kernel& W)
-        {
-            forEach(liquid.owned(), Correction<Kernel>
-            {
-                W, liquid.particleVolume(), controls_.relaxation, liquid.predicted.span(), near.view(), walls.view(),
-                multiplier_.span(), corrected_.span()
-            });
-        },
-        liquid.kernel()
-    );
-    liquid.predicted.swap(corrected_);
-    if (keepsPressure_)
+    bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        const float factor = controls_.relaxation * liquid.restDensity() / (dt_ * dt_);
-        forEach(liquid.owned(), AddPressure{factor, multiplier_.span(), pressure_.span()});
+        if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
+        if (keepsPressure_ && iterations_ == 0)
+        {
+            pressure_.resizeDiscarding(liquid.all());
+            pressure_.setZero();
+        }
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                const float V = liquid.particleVolume();
+                forEach(liquid.owned(), Multiplier<Kernel>
+                {
+                    W, V, V / liquid.latticeSum(), controls_.epsilon, selfGradient_, unilateral_,
+                    liquid.predicted.span(), near.view(), walls.view(), liquid.density.span(), multiplier_.span()
+                });
+            },
+            liquid.kernel()
+        );
+        return compression_.wantsAnother(liquid, controls_, iterations_);
     }
-}
 
-const Buffer<float>* Pbf::keepPressure()
-{
-    keepsPressure_ = true;
-    return &pressure_;
+    void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    {
+        ++iterations_;
+        corrected_.resizeDiscarding(liquid.all());
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                forEach(liquid.owned(), Correction<Kernel>
+                {
+                    W, liquid.particleVolume(), controls_.relaxation, liquid.predicted.span(), near.view(), walls.view(),
+                    multiplier_.span(), corrected_.span()
+                });
+            },
+            liquid.kernel()
+        );
+        liquid.predicted.swap(corrected_);
+        if (keepsPressure_)
+        {
+            const float factor = controls_.relaxation * liquid.restDensity() / (dt_ * dt_);
+            forEach(liquid.owned(), AddPressure{factor, multiplier_.span(), pressure_.span()});
+        }
+    }
+
+    int iterations() const override { return iterations_; }
+    double mostCrowded() const override { return 1; }           // from 0.95 spacings drops come to rest
+
+    // p_i = w rho0/dt^2 times the sum of s_i over the iterations: what (6) moves a particle by is the SPH gradient of
+    // dt^2 p/rho0.
+    const Buffer<float>* keepPressure() override
+    {
+        keepsPressure_ = true;
+        return &pressure_;
+    }
+
+private:
+    PressureControls controls_;
+    bool selfGradient_, unilateral_;
+    int iterations_ = 0;
+    Buffer<float>& multiplier_;
+    float dt_ = 0;
+    bool keepsPressure_ = false;
+    Buffer<float> pressure_;
+    Buffer<Vec3> corrected_;
+    AverageCompression compression_;
+};
+
+const PressureTable::Add<Pbf> registered{"pbf"};
+
 }
 
 }
