@@ -5,8 +5,8 @@
 #include "device/Gather.H"
 #include "device/Reduce.H"
 #include "maths/Lattice.H"
-#include "surface/Indicator.H"
 #include "surface/NodeRows.H"
+#include "surface/NodeValues.H"
 #include "surface/PlaceVertices.H"
 
 namespace shizuku
@@ -24,76 +24,6 @@ float volumeOf(float spacing, const CubicSpline& W)
     const float sum = latticeSum(spacing, W.h, [&W](float r) { return W.W(r); });
     return spacing * spacing * spacing / sum;
 }
-
-// Every second node along each axis, one of eight.
-struct EvaluateCoarse
-{
-    static constexpr int edge = BlockMapView::edge / 2, nodes = edge * edge * edge;
-
-    Indicator phi;
-    BlockMapView map;
-    Span<float> value;
-
-    HOST_DEVICE void operator()(int k, Team team) const
-    {
-        const int x = k % edge, y = k / edge % edge, z = k / (edge * edge) % edge;
-        const int node = k / nodes * BlockMapView::nodes + 2 * ((z * BlockMapView::edge + y) * BlockMapView::edge + x);
-        const float sum = phi.value(map.position(node), team);
-        if (team.first()) value[node] = sum;
-    }
-};
-
-// The other nodes, by rows, and which of a row are inside. A node whose coarse nodes around it all lie deep in the liquid, or all far
-// outside, is taken to be so as well: phi has no way to cross the level between them. The lanes of a team share the nodes.
-struct EvaluateRow
-{
-    static constexpr float deep = 0.9f, outside = 0.1f;
-
-    Indicator phi;
-    BlockMapView map;
-    bool refines;
-    Span<float> value;
-    Span<std::uint8_t> inside;
-
-    // Node `node` has odd coordinates where `odd` has the axis' bit. Is it known without a sum, and which value has it then?
-    HOST_DEVICE bool known(int node, int odd, float& found) const
-    {
-        float least = 1e30f, most = -1e30f;
-        for (int corner = 0; corner < 8; ++corner)
-        {
-            if (corner & ~odd) continue;
-            const int back = odd & ~corner;     // along these axes to the node before, along the others to the one behind
-            const int from = node - (back & 1) - (back >> 1 & 1) * BlockMapView::edge
-                - (back >> 2) * BlockMapView::edge * BlockMapView::edge;
-            const int coarse = map.neighbour(from, corner & 1, corner >> 1 & 1, corner >> 2);
-            const float there = coarse < 0 ? 0 : value[coarse];
-            least = fminf(least, there);
-            most = fmaxf(most, there);
-        }
-        found = least;
-        return refines && (least > deep || most < outside);
-    }
-
-    HOST_DEVICE void operator()(int row, Team team) const
-    {
-        constexpr int edge = BlockMapView::edge;
-        const int odd = 2 * (row % 2) + 4 * (row / edge % 2);
-        float bits = 0;                         // below 256: exact
-        for (int x = team.lane; x < edge; x += team.width)
-        {
-            const int node = row * edge + x;
-            float here = value[node];
-            if (odd + x % 2 > 0)
-            {
-                if (!known(node, odd + x % 2, here)) here = phi.value(map.position(node), {});
-                value[node] = here;
-            }
-            if (here > Indicator::level) bits += float(1 << x);
-        }
-        bits = team.sum(bits);
-        if (team.first()) inside[row] = std::uint8_t(bits);
-    }
-};
 
 struct CountCrossings
 {
@@ -233,15 +163,14 @@ double LiquidSurface::volume()
 
 int LiquidSurface::particlesOutside()
 {
-    const Indicator phi{kernel_, volume_, grid_.view(), particles_.span()};
-    return int(reduce(particles_.size(), CountOutside{phi}, scratch_).value);
+    return int(reduce(particles_.size(), CountOutside{indicator()}, scratch_).value);
 }
 
 void LiquidSurface::evaluateNodes()
 {
     value_.resizeDiscarding(blocks_.blocks() * BlockMapView::nodes);
     inside_.resizeDiscarding(blocks_.blocks() * RowView::rows);
-    const Indicator phi{kernel_, volume_, grid_.view(), particles_.span()};
+    const Indicator phi = indicator();
     forEachTeam(blocks_.blocks() * EvaluateCoarse::nodes, EvaluateCoarse{phi, blocks_.view(), value_.span()});
     forEachTeam(inside_.size(), EvaluateRow{phi, blocks_.view(), refines_, value_.span(), inside_.span()});
 }
@@ -279,7 +208,7 @@ void LiquidSurface::placeVertices()
         vertices_.size(),
         PlaceVertices
         {
-            blocks_.view(), value_.span(), {kernel_, volume_, grid_.view(), particles_.span()}, wideKernel_, wideVolume_,
+            blocks_.view(), value_.span(), indicator(), wideKernel_, wideVolume_,
             moments_, wideMoments_, meanSquares / 24 * blocks_.view().cell * blocks_.view().cell,
             edges_.span(), vertices_.span(), normals_.span()
         }
