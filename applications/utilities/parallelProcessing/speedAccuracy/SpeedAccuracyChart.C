@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <iterator>
 #include <sstream>
 
 namespace shizuku
@@ -52,19 +53,90 @@ std::string axisOf(const std::string& cost)
     return std::string(cost == "cpuTime" ? "processor time" : "wall-clock time") + " for one simulated second [s]";
 }
 
-void addBlock(std::ostream& stream, const std::string& name, const std::vector<std::string>& rows)
-{
-    stream << '$' << name << " << END\n";
-    for (const std::string& row : rows) stream << row << '\n';
-    stream << "END\n";
-}
-
 std::string row(double cost, double error, const std::string& name)
 {
     std::ostringstream text;
     text.precision(9);
     text << cost << ' ' << error << ' ' << quotedForGnuplot(name);
     return text.str();
+}
+
+// What a chart is made of: its data, and how they are drawn.
+struct Parts
+{
+    std::ostringstream data;
+    std::vector<std::string> plots;
+
+    void addBlock(const std::string& name, const std::vector<std::string>& rows)
+    {
+        data << '$' << name << " << END\n";
+        for (const std::string& each : rows) data << each << '\n';
+        data << "END\n";
+    }
+};
+
+void addSeries
+(
+    Parts& parts, const Study& study, const SpeedAccuracy& chart, const std::vector<SpeedAccuracyPoint>& points
+)
+{
+    const StudyAxis& series = study.axes[chart.shown[chart.series]];
+    for (std::size_t i = 0; i < series.choices.size(); ++i)
+    {
+        std::vector<std::string> rows;
+        for (const SpeedAccuracyPoint& point : points)
+        {
+            if (point.choices[chart.series] != series.choices[i].name || !drawable(point)) continue;
+            rows.push_back(row(point.cost, std::max(point.error, chart.least), ""));
+        }
+        if (rows.empty()) continue;
+        const std::string block = "series" + std::to_string(i);
+        parts.addBlock(block, rows);
+        parts.plots.push_back
+        (
+            "$" + block + " using 1:2 with points pt 7 ps 1.1 lc rgb \"" + colours[i%colours.size()] + "\" title "
+          + quotedForGnuplot(series.choices[i].name)
+        );
+    }
+}
+
+void addFront
+(
+    Parts& parts, const Study& study, const SpeedAccuracy& chart, const std::vector<SpeedAccuracyPoint>& points
+)
+{
+    std::vector<SpeedAccuracyPoint> front;
+    std::copy_if(points.begin(), points.end(), std::back_inserter(front), [](const SpeedAccuracyPoint& point)
+    {
+        return point.front && drawable(point);
+    });
+    const auto cheaper = [](const SpeedAccuracyPoint& a, const SpeedAccuracyPoint& b) { return a.cost < b.cost; };
+    std::sort(front.begin(), front.end(), cheaper);
+    std::vector<std::string> rows;
+    for (const SpeedAccuracyPoint& point : front)
+    {
+        rows.push_back(row(point.cost, std::max(point.error, chart.least), nameOf(chart, point)));
+    }
+    parts.addBlock("front", rows);
+    parts.plots.push_back
+    (
+        "$front using 1:2 with linespoints pt 6 ps 2 lw 1.5 lc rgb \"#333333\" title \"front, by "
+      + namedAxes(study, chart) + "\""
+    );
+    parts.plots.push_back("$front using 1:2:3 with labels left offset 0.9,0.6 font \",8\" notitle");
+}
+
+void addReferences(Parts& parts, const SpeedAccuracy& chart)
+{
+    if (chart.references.empty()) return;
+    std::vector<std::string> rows;
+    for (const ReferencePoint& point : chart.references)
+    {
+        rows.push_back(row(point.cost, std::max(point.error, chart.least), point.source));
+    }
+    parts.addBlock("references", rows);
+    parts.plots.push_back("$references using 1:2 with points pt 4 ps 1.5 lw 2 lc rgb \"#000000\" title \"others, named\"");
+    parts.plots.push_back("$references using 1:2:3 with labels right offset 1,-1 font \",8\" notitle");
 }
 
 }
@@ -110,46 +182,17 @@ void drawPoints
         std::cout << "Leaving out the chart: no point has both an error and a cost\n";
         return;
     }
+    Parts parts;
+    addSeries(parts, study, chart, points);
+    addFront(parts, study, chart, points);
+    addReferences(parts, chart);
     std::ostringstream commands;
-    const StudyAxis& series = study.axes[chart.shown[chart.series]];
-    std::vector<std::string> plots, front;
-    for (std::size_t i = 0; i < series.choices.size(); ++i)
-    {
-        std::vector<std::string> rows;
-        for (const SpeedAccuracyPoint& point : points)
-        {
-            if (point.choices[chart.series] != series.choices[i].name || !drawable(point)) continue;
-            rows.push_back(row(point.cost, std::max(point.error, chart.least), ""));
-            if (point.front) front.push_back(row(point.cost, std::max(point.error, chart.least), nameOf(chart, point)));
-        }
-        if (rows.empty()) continue;
-        const std::string block = "series" + std::to_string(i);
-        addBlock(commands, block, rows);
-        plots.push_back("$" + block + " using 1:2 with points pt 7 ps 1.1 lc rgb \"" + colours[i%colours.size()] + "\" title "
-                      + quotedForGnuplot(series.choices[i].name));
-    }
-    const auto cheaper = [](const std::string& a, const std::string& b) { return std::stod(a) < std::stod(b); };
-    std::sort(front.begin(), front.end(), cheaper);
-    addBlock(commands, "front", front);
-    plots.push_back("$front using 1:2 with linespoints pt 6 ps 2 lw 1.5 lc rgb \"#333333\" title \"front, by "
-                  + namedAxes(study, chart) + "\"");
-    plots.push_back("$front using 1:2:3 with labels left offset 0.9,0.6 font \",8\" notitle");
-    if (!chart.references.empty())
-    {
-        std::vector<std::string> rows;
-        for (const ReferencePoint& point : chart.references)
-        {
-            rows.push_back(row(point.cost, std::max(point.error, chart.least), point.source));
-        }
-        addBlock(commands, "references", rows);
-        plots.push_back("$references using 1:2 with points pt 4 ps 1.5 lw 2 lc rgb \"#000000\" title \"others, named\"");
-        plots.push_back("$references using 1:2:3 with labels right offset 1,-1 font \",8\" notitle");
-    }
-    commands << "set logscale xy; set grid lc rgb \"#dddddd\"; set offsets graph 0.05, graph 0.15, graph 0.05, graph 0.05\n"
+    commands << parts.data.str()
+             << "set logscale xy; set grid lc rgb \"#dddddd\"; set offsets graph 0.05, graph 0.15, graph 0.05, graph 0.05\n"
              << "set key below vertical maxrows 5 samplen 2; set title " << quotedForGnuplot(chart.title) << '\n'
              << "set xlabel \"" << axisOf(chart.cost)
              << "\"; set ylabel " << quotedForGnuplot(chart.label) << "\nset format x \"%g\"; set format y \"%g\"\nplot ";
-    for (std::size_t i = 0; i < plots.size(); ++i) commands << (i > 0 ? ", \\\n    " : "") << plots[i];
+    for (std::size_t i = 0; i < parts.plots.size(); ++i) commands << (i > 0 ? ", \\\n    " : "") << parts.plots[i];
     drawChart(file, commands.str());
 }
 
