@@ -2,6 +2,7 @@
 
 #include "core/time/Time.H"
 #include "geometry/AnalyticSurface.H"
+#include "geometry/Bounds.H"
 #include "geometry/CaseGravity.H"
 #include "geometry/LiquidFiles.H"
 #include "geometry/NearestPoint.H"
@@ -85,15 +86,9 @@ void readTheta(SceneWall& wall, const fs::path& path, const Vector3& at)
 void fitWall(SceneWall& wall, const std::vector<Vector3>& corners, const Vector3& liquid, double spacing)
 {
     if (corners.empty()) return;
-    wall.low = wall.high = corners.front();
-    for (const Vector3& corner : corners)
-    {
-        for (int c = 0; c < 3; ++c)
-        {
-            wall.low[c] = std::min(wall.low[c], corner[c]);
-            wall.high[c] = std::max(wall.high[c], corner[c]);
-        }
-    }
+    const Bounds bounds = boundsOf(corners);
+    wall.low = bounds.low;
+    wall.high = bounds.high;
     const auto fit = fitPlane(corners);
     if (!fit) return;
     for (const Vector3& corner : corners)

@@ -1,5 +1,6 @@
 #include "geometry/ConnectedPoints.H"
 
+#include "geometry/Bounds.H"
 #include "geometry/sampling/PointGrid.H"
 
 #include <algorithm>
@@ -25,12 +26,7 @@ struct SortedPoints
 
     SortedPoints(const std::vector<Vector3>& points, double distance)
     {
-        Vector3 low(0, 0, 0);
-        if (!points.empty()) low = points.front();
-        for (const Vector3& x : points)
-        {
-            for (int c = 0; c < 3; ++c) low[c] = std::min(low[c], x[c]);
-        }
+        const Vector3 low = boundsOf(points).low;
         // None is the first one or the last one of a row. What is farther than a row is long shares the last.
         const auto cellAt = [&](double far) { return one + std::uint64_t(std::clamp(far/distance, 0.0, double(row - 4))); };
         std::vector<std::pair<std::uint64_t, int>> order;

@@ -1,5 +1,6 @@
 #include "geometry/SeparateBodies.H"
 
+#include "geometry/Bounds.H"
 #include "geometry/ConnectedPoints.H"
 
 #include <algorithm>
@@ -44,19 +45,15 @@ std::vector<SeparateBody> separateBodies
     std::vector<SeparateBody> bodies;
     for (const std::vector<int>& group : connectedPoints(positions, reach*spacing))
     {
-        SeparateBody body{group, positions[group.front()], positions[group.front()], {}, 0};
-        body.volume = double(group.size())*spacing*spacing*spacing;
+        SeparateBody body{group, {}, {}, {}, double(group.size())*spacing*spacing*spacing};
+        Bounds bounds;
         for (const int i : group)
         {
             body.velocity += velocities[i]/double(group.size());
-            for (int c = 0; c < 3; ++c)
-            {
-                body.low[c] = std::min(body.low[c], positions[i][c]);
-                body.high[c] = std::max(body.high[c], positions[i][c]);
-            }
+            bounds.add(positions[i]);
         }
-        body.low -= half;
-        body.high += half;
+        body.low = bounds.low - half;
+        body.high = bounds.high + half;
         bodies.push_back(body);
     }
     return bodies;

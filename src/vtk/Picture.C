@@ -2,6 +2,7 @@
 
 #include "core/fieldFile/AtomicFile.H"
 #include "core/messages/Error.H"
+#include "geometry/Bounds.H"
 #include "vtk/PictureParts.H"
 #include "vtk/StudioFloor.H"
 #include "vtk/StudioSurroundings.H"
@@ -45,16 +46,8 @@ struct Stage
         const double turn = view.azimuth*std::numbers::pi/180;
         right = std::cos(turn)*east - std::sin(turn)*south;
         front = cross(right, up);
-        Vector3 low = points.front(), high = low;
-        for (const Vector3& p : points)
-        {
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                low[axis] = std::min(low[axis], p[axis]);
-                high[axis] = std::max(high[axis], p[axis]);
-            }
-        }
-        centre = view.centre.value_or(0.5*(low + high));
+        const Bounds bounds = boundsOf(points);
+        centre = view.centre.value_or(0.5*(bounds.low + bounds.high));
         for (const Vector3& p : points) radius = std::max(radius, length(p - centre));
     }
 

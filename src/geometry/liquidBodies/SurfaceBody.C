@@ -2,12 +2,12 @@
 // The inside of a closed STL in constant/triSurface: coordinates times scale [m a unit of the file, default 1], and then
 // moved by translate [m, default zero]. Faces may look inward or outward; a shell inside of another one is a bubble.
 
+#include "geometry/Bounds.H"
 #include "geometry/MeshTopology.H"
 #include "geometry/PointsInside.H"
 #include "geometry/StlFile.H"
 #include "geometry/liquidBodies/LiquidBody.H"
 
-#include <algorithm>
 #include <sstream>
 
 namespace shizuku
@@ -44,28 +44,19 @@ class SurfaceBody : public LiquidBody
 public:
     SurfaceBody(const Dictionary& dict, const std::filesystem::path& casePath)
     :
-        mesh_(readClosedMesh(dict, casePath)), windingNumber_(mesh_), low_(mesh_.vertices.front()), high_(low_)
-    {
-        for (const Vector3& vertex : mesh_.vertices)
-        {
-            for (int c = 0; c < 3; ++c)
-            {
-                low_[c] = std::min(low_[c], vertex[c]);
-                high_[c] = std::max(high_[c], vertex[c]);
-            }
-        }
-    }
+        mesh_(readClosedMesh(dict, casePath)), windingNumber_(mesh_), bounds_(boundsOf(mesh_.vertices))
+    {}
 
-    BodyFrame frame() const override { return {low_}; }
+    BodyFrame frame() const override { return {bounds_.low}; }
     Vector3 low() const override { return {}; }
-    Vector3 high() const override { return high_ - low_; }
+    Vector3 high() const override { return bounds_.size(); }
     bool contains(const Vector3& x) const override { return windingNumber_(x) != 0; }
     double volume() const override { return std::abs(mesh_.volume()); }
 
 private:
     TriangleMesh mesh_;
     WindingNumber windingNumber_;       // refers to the mesh
-    Vector3 low_, high_;                // m
+    Bounds bounds_;                     // m
 };
 
 static const LiquidBodyTable::Add<SurfaceBody> registered{"surface"};

@@ -1,6 +1,7 @@
 #include "geometry/sampling/SurfaceRepair.H"
 
 #include "core/messages/Error.H"
+#include "geometry/Bounds.H"
 #include "geometry/sampling/CrackClosing.H"
 #include "geometry/sampling/ShellUnion.H"
 #include "geometry/sampling/SurfaceMesh.H"
@@ -45,19 +46,7 @@ std::string count(std::size_t n, const std::string& what, const std::string& don
 }
 
 // The diagonal of the box around some points, m.
-double extentOf(const std::vector<Vector3>& points)
-{
-    Vector3 low = points.front(), high = low;
-    for (const Vector3& v : points)
-    {
-        for (int c = 0; c < 3; ++c)
-        {
-            low[c] = std::min(low[c], v[c]);
-            high[c] = std::max(high[c], v[c]);
-        }
-    }
-    return length(high - low);
-}
+double extentOf(const std::vector<Vector3>& points) { return length(boundsOf(points).size()); }
 
 // The triangle soup with shared vertices, each triangle once.
 class Cleaning

@@ -1,5 +1,6 @@
 #include "WallSurface.H"
 
+#include "geometry/Bounds.H"
 #include "geometry/sampling/SeedMethod.H"
 #include "geometry/sampling/SurfaceFile.H"
 #include "geometry/sampling/SurfaceRepair.H"
@@ -17,20 +18,6 @@ namespace
 constexpr double maxParticles = 1e8;
 constexpr double closedHole = 4;        // spacings: too narrow to be meant
 constexpr double suspectSize[2] = {5, 3000};    // spacings: smaller or larger surfaces are allowed, and said to be strange
-
-Vector3 sizeOf(const TriangleMesh& mesh)
-{
-    Vector3 low = mesh.vertices.front(), high = low;
-    for (const Vector3& v : mesh.vertices)
-    {
-        for (int c = 0; c < 3; ++c)
-        {
-            low[c] = std::min(low[c], v[c]);
-            high[c] = std::max(high[c], v[c]);
-        }
-    }
-    return high - low;
-}
 
 std::string sizeText(const SampledWall& wall, const Vector3& size, const std::string& reason, double spacing)
 {
@@ -76,7 +63,7 @@ PatchedSurface loadSurface(const SampledWall& wall, double spacing)
     std::cout << wall.name << ": read " << raw.mesh.faces.size() << " triangles from " << wall.file.filename().string()
               << "\n";
 
-    const Vector3 size = sizeOf(raw.mesh);
+    const Vector3 size = boundsOf(raw.mesh.vertices).size();
     const double longest = std::max({size.x, size.y, size.z});
     if (longest < spacing) refuseSize(wall, size, "less than one particle", spacing);
     const double particles = latticeDensity(spacing)*raw.mesh.area();
