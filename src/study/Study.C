@@ -98,12 +98,18 @@ void replaceValue(CaseChoice& choice, const std::string& word, const StudyText& 
     else there->second = value;
 }
 
-// Other choices of the same axes, other values.
+// Other choices of the same axes, other values, further axes behind.
 void vary(Study& study, const Dictionary& variant)
 {
     const Dictionary axes = variant.subDictOrEmpty("axes");
     for (const std::string& name : axes.keys())
     {
+        const auto isNamed = [&](const StudyAxis& each) { return each.name == name; };
+        if (std::none_of(study.axes.begin(), study.axes.end(), isNamed))
+        {
+            study.axes.push_back(readAxis(axes, name));
+            continue;
+        }
         const std::size_t axis = study.axis({name, axes.where(name)});
         std::vector<CaseChoice> chosen;
         for (const StudyText& choice : listOf(axes, name))

@@ -107,6 +107,19 @@ TEST_F(StudyOf, AVariantReplacesChoicesAndValues)
     EXPECT_TRUE(holds(messageOf([&] { study(rest, "quik"); }), {"no variant 'quik'", "Did you mean 'quick'?"}));
 }
 
+TEST_F(StudyOf, AVariantMayHaveAnAxisOfItsOwn)
+{
+    const auto variants = [](const std::string& axis)
+    {
+        return "}\naxes { set (default other); }\nvariants { wide { axes { " + axis + " (1 8); set (other); } } }\n";
+    };
+    EXPECT_EQ(runsOf(study(variants("volume"))).size(), 2u);
+    const std::vector<StudyRun> runs = runsOf(study(variants("volume"), "wide"));
+    ASSERT_EQ(runs.size(), 2u);
+    EXPECT_EQ(runs[1].name, "other-8");
+    EXPECT_TRUE(holds(messageOf([&] { study(variants("volum"), "wide"); }), {"no value 'volum'", "Did you mean 'volume'?"}));
+}
+
 TEST_F(StudyOf, LeavesOutWhatAllAxesOfARuleHold)
 {
     const std::string axes = "}\naxes { particles (1 8 64); set (default other); }\n";
