@@ -72,7 +72,9 @@ std::optional<ModelSet> Scene::modelSet() const
 
 SceneAnswer Scene::answer() const
 {
-    if (!hasTension())
+    const double bond = flowNumbers(scales(bodies.front())).bond;
+    const bool isHeavy = isVessel() && !isTube() && bond*tolerance > 1;     // tension will not be felt
+    if (!hasTension() || isHeavy)
     {
         if (walls.empty() || length(gravity) == 0) return {"", 0, "none that a stored study has"};
         return {"damBreak", 0, "front of liquid that collapses"};
@@ -84,8 +86,8 @@ SceneAnswer Scene::answer() const
     }
     const std::string angle = theta() ? number(*theta()) + " degrees" : "";
     if (isTube() && length(gravity) > 0 && theta()) return {"meniscus", *theta(), "meniscus at " + angle};
-    const double bond = flowNumbers(scales(bodies.front())).bond/4;        // of the radius
-    if (bond >= smallestBond) return {"gravity", bond, "height of a drop at the Bond number (R/l)^2 " + number(bond)};
+    const double ofRadius = bond/4;
+    if (ofRadius >= smallestBond) return {"gravity", ofRadius, "height of a drop at the Bond number (R/l)^2 " + number(ofRadius)};
     if (theta()) return {"sessile", *theta(), "contact angle of " + angle};
     return {"", 0, "none that a stored study has"};
 }
@@ -119,12 +121,19 @@ bool Scene::mayJumpOff(const SceneBody& body) const
     return cap && jumpOff(*cap).excess();
 }
 
+double Scene::relativeStep(double n, double capillarySteps) const
+{
+    if (answer().scene != "damBreak") return capillarySteps;
+    return subStep/std::sqrt(std::cbrt(smallest().liquid.volume/n)/length(gravity));
+}
+
 std::optional<StoredNumber> Scene::error() const
 {
     const auto set = modelSet();
     const SceneAnswer asked = answer();
     if (!set || asked.scene.empty()) return std::nullopt;
-    return studies->error(asked.scene, asked.parameter, set->name, particles(smallest()), maxCapillaryCo);
+    const double n = particles(smallest());
+    return studies->error(asked.scene, asked.parameter, set->name, n, relativeStep(n, maxCapillaryCo));
 }
 
 std::optional<double> Scene::likelyError() const

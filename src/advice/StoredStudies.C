@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 namespace shizuku
@@ -41,17 +42,22 @@ StoredNumber onLogarithms(const Curve& curve, double x)
     return {value, joined(below->second.source, above->second.source)};
 }
 
-// How near runs must be to tell: where the weight is exp(-1/2). Of the widths of 1.5 to 2.5, 1.4 and 2, 15 and 30 degrees these
-// foretell stored runs best that are left out (doc/advice.md).
-constexpr double nearParticles = 2, nearChoice = 2;     // ratios
+// How near runs must be to tell: where the weight is exp(-1/2). Chosen by how well stored runs are foretold that are left out
+// (doc/advice.md).
+constexpr double nearParticles = 1.5, nearChoice = 2, nearBond = 1.5;      // ratios
 constexpr double nearAngle = 15;                        // degrees
-constexpr double nearBond = 3;                          // ratio
 
 double ratioDistance(double a, double b, double ratio) { return std::log(a/b)/std::log(ratio); }
 
 double distanceOfParameters(const std::string& scene, double a, double b)
 {
     return scene == "gravity" ? ratioDistance(a, b, nearBond) : (a - b)/nearAngle;
+}
+
+// Of the answer, in units in which neighbouring parameters' errors are alike.
+double sizeOfAnswer(const std::string& scene, double parameter)
+{
+    return scene == "meniscus" ? std::abs(std::tan(0.5*(90 - parameter)*std::numbers::pi/180)) : 1;
 }
 
 constexpr double tableDigits = 0.01;        // of numbers that went through a table, or a spacing of three digits
@@ -75,7 +81,7 @@ std::vector<StoredStudies::Run> StoredStudies::read(const std::string& name, con
 }
 
 StoredStudies::StoredStudies()
-: runs_(read("accuracy.csv", "capillarySteps")), iterationRuns_(read("iterations.csv", "iterations")),
+: runs_(read("accuracy.csv", "step")), iterationRuns_(read("iterations.csv", "iterations")),
   stability_(table("stability.csv")), stepTimes_(table("stepTime.csv"))
 {
     const CsvTable sets = table("modelSets.csv");
@@ -111,7 +117,8 @@ std::optional<StoredNumber> StoredStudies::typicalError(const std::vector<Run>& 
         const bool tried = asked.choice > (1 - tableDigits)*least && asked.choice < (1 + tableDigits)*most;
         if (tried) those.insert(those.end(), group.begin(), group.end());
     }
-    if (those.empty()) return std::nullopt;
+    const double size = sizeOfAnswer(asked.scene, asked.parameter);
+    if (those.empty() || size == 0) return std::nullopt;
     for (double Run::* value : {&Run::particles, &Run::parameter})
     {
         const auto [low, high] = limits(those, value);
@@ -126,7 +133,8 @@ std::optional<StoredNumber> StoredStudies::typicalError(const std::vector<Run>& 
             b = ratioDistance(asked.choice, run->choice, nearChoice),
             c = distanceOfParameters(asked.scene, asked.parameter, run->parameter);
         const double weight = std::exp(-0.5*(a*a + b*b + c*c));
-        sum += weight*run->error;
+        const double amount = run->error*sizeOfAnswer(run->scene, run->parameter);
+        sum += weight*amount*amount;
         weights += weight;
         sources[run->source] += weight;
     }
@@ -137,7 +145,7 @@ std::optional<StoredNumber> StoredStudies::typicalError(const std::vector<Run>& 
     {
         if (weight >= named*weights) source += (source.empty() ? "" : " and ") + name;
     }
-    return StoredNumber{sum/weights, source};
+    return StoredNumber{std::sqrt(sum/weights)/size, source};
 }
 
 std::optional<double> StoredStudies::scatter(const std::string& modelSet) const
@@ -174,10 +182,10 @@ std::vector<double> valuesOf(const Runs& runs, const std::string& scene, const s
 
 std::optional<StoredNumber> StoredStudies::error
 (
-    const std::string& scene, double parameter, const std::string& modelSet, double particles, double capillarySteps
+    const std::string& scene, double parameter, const std::string& modelSet, double particles, double step
 ) const
 {
-    return typicalError(runs_, {scene, modelSet, parameter, particles, capillarySteps, 0, ""});
+    return typicalError(runs_, {scene, modelSet, parameter, particles, step, 0, ""});
 }
 
 std::optional<StoredNumber> StoredStudies::errorOfIterations
@@ -201,7 +209,7 @@ std::vector<double> StoredStudies::particles(const std::string& scene, const std
     return valuesOf(runs_, scene, modelSet, [](const Run& run) { return run.particles; });
 }
 
-std::vector<double> StoredStudies::capillarySteps(const std::string& scene, const std::string& modelSet) const
+std::vector<double> StoredStudies::steps(const std::string& scene, const std::string& modelSet) const
 {
     return valuesOf(runs_, scene, modelSet, [](const Run& run) { return run.choice; });
 }

@@ -24,7 +24,7 @@ public:
             const std::string reason = obstacle(wall, scene);
             if (!reason.empty()) return Advice{"keep particles", reason, "constant/triSurface, constant/wettability"};
             // The rung's own step: a longer one changes both walls alike (doc/advice.md: 0.1 % between them at four times its length).
-            const std::vector<double> steps = scene.studies->capillarySteps("analyticWall", "default");
+            const std::vector<double> steps = scene.studies->steps("analyticWall", "default");
             if (steps.empty()) return std::nullopt;
             const auto change = scene.studies->error
             (

@@ -34,18 +34,20 @@ public:
         if (tried.empty()) return untold(answer);
         const auto error = [&](double n)
         {
-            return scene.studies->error(answer.scene, answer.parameter, set->name, n, set->maxCapillaryCo);
+            const double step = scene.relativeStep(n, set->maxCapillaryCo);
+            return scene.studies->error(answer.scene, answer.parameter, set->name, n, step);
+        };
+        const auto isWithin = [&](double n)
+        {
+            const auto there = error(n);
+            return there && there->value <= scene.tolerance;
         };
         const double now = scene.particles(scene.smallest());
         const auto present = error(now);
-        if (!present) return untold(answer);
-
         double fewest = tried.back();
-        const bool reached = error(fewest)->value <= scene.tolerance;
-        while (reached && fewest/finer >= tried.front() && error(fewest/finer)->value <= scene.tolerance)
-        {
-            fewest /= finer;
-        }
+        if (!present || !error(fewest)) return untold(answer);
+        const bool reached = isWithin(fewest);
+        while (reached && fewest/finer >= tried.front() && isWithin(fewest/finer)) fewest /= finer;
         Advice advice
         {
             "keep", "error of the " + answer.text + " with " + wholeNumber(now) + " particles: " + percent(present->value) +

@@ -42,7 +42,7 @@ public:
         std::set<double> tried;
         for (const std::string& study : {answer.scene, std::string("volume")})
         {
-            for (const double steps : scene.studies->capillarySteps(study, set->name)) tried.insert(steps);
+            for (const double steps : scene.studies->steps(study, set->name)) tried.insert(steps);
         }
         double best = set->maxCapillaryCo;
         for (const double steps : tried)

@@ -330,10 +330,34 @@ TEST_F(RuleTest, errorOfNineRunsInTen)
     const StoredStudies many = inPairs(15, 3);
     scene_.studies = &many;
     fill(1024);
-    EXPECT_NEAR(scene_.error()->value, 0.02, 1e-9);                       // of a pair, 1 and 3 %
-    EXPECT_NEAR(*scene_.likelyError(), 3*0.02, 1e-9);
+    EXPECT_NEAR(scene_.error()->value, 0.01*std::sqrt(5), 1e-9);          // of a pair, 1 and 3 %
+    EXPECT_NEAR(*scene_.likelyError(), 3*0.01*std::sqrt(5), 1e-9);
     fill(1000);
     EXPECT_FALSE(scene_.likelyError());                                   // beyond the runs
+}
+
+// sqrt(d/g) is 1e-2 s.
+TEST_F(RuleTest, stepsOfAFrontAreOfWeight)
+{
+    scene_.gravity = {0, 0, -1};
+    scene_.subStep = 1e-3;
+    EXPECT_NEAR(scene_.relativeStep(2000, 0.7), 0.7, close);
+    scene_.models["surfaceTension"] = "none";
+    EXPECT_NEAR(scene_.relativeStep(2000, 0.7), 0.1, close);
+    EXPECT_NEAR(scene_.relativeStep(16*2000, 0.7), 0.1*std::cbrt(4), close);      // of the spacing's root
+    EXPECT_NEAR(scene_.error()->value, mean(runs_, "damBreak", 0, 2000, 0.1), close);
+    scene_.subStep = 3e-3;
+    EXPECT_FALSE(scene_.error());                                         // a longer one than was run
+    EXPECT_EQ(changes(ask("spacing", 0.5)), "");
+    // With tension, which is not felt in a vessel from Bo = rho g D^2/sigma = 1/tolerance on.
+    const double bond = 1000*std::pow(diameter(), 2)/0.07;
+    scene_.models["surfaceTension"] = "continuumSurfaceForce";
+    scene_.tolerance = (1 + close)/bond;
+    EXPECT_NE(scene_.answer().scene, "damBreak");
+    scene_.walls.push_back({"tank", "box", {}, {}, {}, {}});
+    EXPECT_EQ(scene_.answer().scene, "damBreak");
+    scene_.tolerance = (1 - close)/bond;
+    EXPECT_NE(scene_.answer().scene, "damBreak");
 }
 
 TEST_F(RuleTest, laterRulesSeeWhatEarlierOnesChanged)

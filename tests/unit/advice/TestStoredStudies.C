@@ -12,20 +12,23 @@ constexpr double digits = 1e-12;        // doubles
 
 using StoredStudiesTest = FakeStudies;
 
-TEST_F(StoredStudiesTest, errorsAreMeansOfTheRunsAround)
+TEST_F(StoredStudiesTest, errorsAreRootMeanSquaresOfTheRunsAround)
 {
     const auto error = [&](double theta, double n, double steps)
     {
         return studies_->error("sessile", theta, "default", n, steps)->value;
     };
-    // By hand at a run: the next ones are two factors of two away in the step (exp(-2)), 3.32 in the particles (exp(-5.52)), with
-    // their own step exp(-7.52) and that of 5 exp(-9.54), and four times 15 degrees (exp(-8)).
-    const double e2 = std::exp(-2), particles = std::exp(-0.5*std::pow(std::log2(10), 2)), five = std::exp(-0.5*std::pow(std::log2(5/0.7), 2));
+    // By hand at a run: the next ones are two factors of two away in the step (exp(-2)), 5.68 of 1.5 in the particles (exp(-16.1)),
+    // with their own step exp(-18.1) and that of 5 exp(-20.2), and four times 15 degrees (exp(-8)).
+    const double e2 = std::exp(-2), particles = std::exp(-0.5*std::pow(std::log(10)/std::log(1.5), 2)), five = std::exp(-0.5*std::pow(std::log2(5/0.7), 2));
     EXPECT_NEAR
     (
         error(60, 1000, 0.7),
-        (0.1 + 0.2*e2 + particles*(0.01 + 0.02*e2 + 0.03*five) + 0.05*std::exp(-8))
-            /(1 + e2 + particles*(1 + e2 + five) + std::exp(-8)),
+        std::sqrt
+        (
+            (0.01 + 0.04*e2 + particles*(1e-4 + 4e-4*e2 + 9e-4*five) + 0.0025*std::exp(-8))
+                /(1 + e2 + particles*(1 + e2 + five) + std::exp(-8))
+        ),
         digits
     );
     for (const double theta : {60.0, 90.0, 117.0})
@@ -41,9 +44,18 @@ TEST_F(StoredStudiesTest, errorsAreMeansOfTheRunsAround)
     EXPECT_NEAR(error(60, 100, 0.7), error(60, 1000, 0.7), digits);
     EXPECT_NEAR(error(60, 1e6, 0.7), error(60, 10000, 0.7), digits);
     EXPECT_NEAR(error(20, 1000, 0.7), error(60, 1000, 0.7), digits);
-    // Sources are those of a tenth of the weight; at 2000 the fine ones have exp(-2.7) of exp(-0.5).
-    EXPECT_EQ(studies_->error("sessile", 60, "default", 2000, 0.7)->source, "coarse and fine");
+    // Sources are those of a tenth of the weight; at 3000 the fine ones have exp(-4.4) beside exp(-3.7).
+    EXPECT_EQ(studies_->error("sessile", 60, "default", 3000, 0.7)->source, "coarse and fine");
     EXPECT_EQ(studies_->error("sessile", 60, "default", 1000, 0.7)->source, "coarse");
+}
+
+// As much of the tube's radius at all angles.
+TEST_F(StoredStudiesTest, errorsOfMenisciGrowAsTheirRiseFalls)
+{
+    const auto error = [&](double theta) { return studies_->error("meniscus", theta, "default", 1000, 0.7)->value; };
+    const auto rise = [](double theta) { return std::abs(std::tan((45 - theta/2)*std::acos(-1)/180)); };
+    for (const double theta : {10.0, 30.0, 75.0, 120.0, 170.0}) EXPECT_NEAR(error(theta), 0.05*rise(30)/rise(theta), digits);
+    EXPECT_FALSE(studies_->error("meniscus", 90, "default", 1000, 0.7));
 }
 
 TEST_F(StoredStudiesTest, whatWasNotRunIsNotKnown)
