@@ -5,10 +5,14 @@
 // Not a physical viscosity: nu does not enter. c is the share of a step; with it alone the damping of a second depends on the step.
 // perCapillaryStep, p, is the share of the time t_c = sqrt(rho d^3/(2 pi sigma)): a step dt takes 1 - (1 - p)^(dt/t_c) where that is
 // more than c. Liquid in long steps is damped as much as in shorter ones, and the noise of short ones by c. It needs a sigma.
-// With noSlip the walls, at rest, take part by their kernel density.
+// With noSlip the walls, at rest, take part by their kernel density. slipAbove, s, is the speed up to which they do wholly, in spacings
+// a capillary step t_c: what is faster is braked as at that speed. A share of u reaches a support into the liquid, which is right for noise, and for
+// flows whose boundary layer is as thick. It needs a sigma; 0 is no limit.
+//
+//     u_i -= c min(1, s d/(t_c |u_i|)) u_i (walls)
 //
 //     viscosity   XSPH;
-//     XSPHCoeffs  { c 0.05; perCapillaryStep 0; noSlip yes; }
+//     XSPHCoeffs  { c 0.05; perCapillaryStep 0; noSlip yes; slipAbove 0; }
 
 #include "models/viscosity/Viscosity.H"
 #include "models/viscosity/XSPH/SmoothingShare.H"
@@ -27,6 +31,7 @@ struct Smooth
     Span<const Vec3> x, velocity;
     NeighbourView near;
     bool noSlip;
+    float slipAbove;
     WallView walls;
     Span<Vec3> smoothed;
 
@@ -37,7 +42,7 @@ struct Smooth
         near.forEach(i, xi, x, [&](auto j, auto r) { sum += W.W(norm(r)) * (velocity[j] - ui); }, team);
         Vec3 change = volume * team.sum(sum);
         if (!team.first()) return;
-        if (noSlip) change -= walls.density(i, xi, W) * ui;
+        if (noSlip) change -= walls.density(i, xi, W) * fminf(slipAbove / norm(ui), 1) * ui;
         smoothed[i] = ui + c * change;
     }
 };
@@ -51,12 +56,16 @@ public:
         noSlip_(coeffs.lookupOr("noSlip", true)),
         capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
     {
-        if (perCapillaryStep_ > 0 && liquid.properties().surfaceTension == 0)
+        const double slips = noSlip_ ? coeffs.lookupOr("slipAbove", 0.0) : 0;
+        if (!(slips >= 0)) throw FatalInputError(coeffs.where("slipAbove"), "The speed slipAbove is negative", "0 or more, spacings a capillary step");
+        if (slips > 0) slipAbove_ = float(slips) * liquid.spacing() / capillaryStep_;
+        for (const auto& [entry, value] : {std::pair("perCapillaryStep", double(perCapillaryStep_)), std::pair("slipAbove", slips)})
         {
+            if (value == 0 || liquid.properties().surfaceTension > 0) continue;
             throw FatalInputError
             (
-                coeffs.where("perCapillaryStep"), "There is no capillary step without a surface tension",
-                "perCapillaryStep 0, or a sigma in constant/liquidProperties"
+                coeffs.where(entry), "There is no capillary step without a surface tension",
+                std::string(entry) + " 0, or a sigma in constant/liquidProperties"
             );
         }
     }
@@ -71,7 +80,7 @@ public:
                 forEachTeam(liquid.owned(), Smooth<Kernel>
                 {
                     W, share(dt), liquid.particleVolume(), liquid.position.span(), liquid.velocity.span(), near.view(), noSlip_,
-                    walls.view(), smoothed.span()
+                    slipAbove_, walls.view(), smoothed.span()
                 });
             },
             liquid.kernel()
@@ -91,7 +100,7 @@ private:
 
     float c_, perCapillaryStep_;
     bool noSlip_;
-    float capillaryStep_;
+    float capillaryStep_, slipAbove_ = std::numeric_limits<float>::infinity();      // scaled
 };
 
 const ViscosityTable::Add<XSPH> registered{"XSPH"};

@@ -109,20 +109,47 @@ TEST(XSPH, SmoothsAsMuchInATimeWhateverTheStep)
     }
 }
 
+// slipAbove s: as long as a particle is faster than s d/t_c walls take as much from it as at that speed, and below what they take without.
+TEST(XSPH, HoldsBackFastLiquidNoMore)
+{
+    LiquidCase drop(caseOnFloor({}));
+    const float limit = 0.1f * drop.liquid.spacing() / drop.liquid.units().toScaled(drop.liquid.properties().capillaryStep(), dimensions::time);
+    const auto taken = [&](const std::string& coeffs, Vec3 velocity)
+    {
+        drop.place({{0, 0, 0.5f}}, {velocity});
+        const auto model = Viscosity::New(Dictionary::parse("viscosity XSPH; XSPHCoeffs { c 0.2; " + coeffs + " }"), drop.liquid);
+        model->apply(drop.liquid, drop.near, drop.walls, 0.02f);
+        return velocity - drop.inOrder(drop.liquid.velocity)[0];
+    };
+    const Vec3 unit{0.6f, 0, -0.8f};
+    const Vec3 atLimit = taken("", limit * unit);
+    EXPECT_GT(norm(atLimit), 0.02f * limit);
+    for (const float speed : {0.0f, 0.5f, 1.0f, 3.0f, 100.0f})
+    {
+        const float share = std::min(speed, 1.0f);
+        // Differences of velocities of order `speed`, in single precision.
+        EXPECT_LT(norm(taken("slipAbove 0.1;", speed * limit * unit) - share * atLimit), 2e-7f * (1 + speed) * limit) << speed;
+    }
+    EXPECT_GT(norm(taken("", 100 * limit * unit)), 99 * norm(atLimit));
+}
+
 TEST(XSPH, RefusesACapillaryStepWithoutTension)
 {
     LiquidCase drop(CaseText{.liquidProperties = "rho 1000; nu 1e-6; sigma 0;"});
-    const auto make = [&](const std::string& share)
+    const auto make = [&](const std::string& coeff)
     {
-        Viscosity::New(Dictionary::parse("viscosity XSPH; XSPHCoeffs { perCapillaryStep " + share + "; }", "constant/models"), drop.liquid);
+        Viscosity::New(Dictionary::parse("viscosity XSPH; XSPHCoeffs { " + coeff + "; }", "constant/models"), drop.liquid);
     };
-    EXPECT_TRUE(holds(messageOf([&] { make("0.5"); }), {"constant/models", "surface tension", "perCapillaryStep 0"}));
-    EXPECT_NO_THROW(make("0"));
+    EXPECT_TRUE(holds(messageOf([&] { make("perCapillaryStep 0.5"); }), {"constant/models", "surface tension", "perCapillaryStep 0"}));
+    EXPECT_TRUE(holds(messageOf([&] { make("slipAbove 0.5"); }), {"constant/models", "surface tension", "slipAbove 0"}));
+    EXPECT_NO_THROW(make("perCapillaryStep 0; slipAbove 0"));
 }
 
 TEST(XSPH, RefusesACoefficientOutOfRange)
 {
     LiquidCase drop;
+    const Dictionary negative = Dictionary::parse("viscosity XSPH; XSPHCoeffs { slipAbove -1; }", "constant/models");
+    EXPECT_TRUE(holds(messageOf([&] { Viscosity::New(negative, drop.liquid); }), {"constant/models", "slipAbove", "0 or more"}));
     for (const std::string c : {"c -0.1", "c 1.5", "perCapillaryStep 1.5"})
     {
         const Dictionary models = Dictionary::parse("viscosity XSPH; XSPHCoeffs { " + c + "; }", "constant/models");
