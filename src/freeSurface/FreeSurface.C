@@ -152,12 +152,6 @@ void FreeSurface::require(const Liquid& liquid, Walls& walls, float support, flo
     depthOfRatio_.upload(tabulateDepths(view, shallowest));
 }
 
-void FreeSurface::update(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
-{
-    search(liquid, near, walls);
-    if (cutOff()) search(liquid, near, walls);
-}
-
 bool FreeSurface::cutOff()
 {
     if (asked_) found_ = int(*readCount_.wait());

@@ -59,7 +59,13 @@ void LiquidCase::place(const std::vector<Vec3>& positions, const std::vector<Vec
     liquid.id.upload(id);
     near.update(liquid, surface.support());
     walls.update(liquid);
-    surface.update(liquid, near, walls);
+    reconstruct(surface);
+}
+
+void LiquidCase::reconstruct(FreeSurface& any) const
+{
+    any.search(liquid, near, walls);
+    if (any.cutOff()) any.search(liquid, near, walls);
 }
 
 }

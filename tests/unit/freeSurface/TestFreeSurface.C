@@ -21,7 +21,7 @@ TEST(FreeSurface, ThatNobodyAskedForCostsNothing)
     drop.place(latticeBall(3));
     const DeviceCounters before = deviceCounters();
     FreeSurface surface;
-    surface.update(drop.liquid, drop.near, drop.walls);
+    drop.reconstruct(surface);
     EXPECT_FALSE(surface.active());
     EXPECT_EQ(surface.support(), 0);
     EXPECT_EQ(surface.view().position.size, 0);

@@ -124,7 +124,7 @@ TEST(Models, ThatAreOffLaunchAndAllocateNothing)
     EXPECT_EQ(pressure->iterations(), 0);
     viscosity->apply(drop.liquid, drop.near, drop.walls, 0.01f);
     shifting->apply(drop.liquid, drop.near, drop.walls);
-    drop.surface.update(drop.liquid, drop.near, drop.walls);
+    drop.reconstruct(drop.surface);
     EXPECT_FALSE(forces.active());
     EXPECT_FALSE(drop.surface.active());
     EXPECT_EQ(bodyForce->acceleration(), 0);
@@ -159,7 +159,7 @@ TEST(Models, WithoutAFreeSurfaceLeaveItIdle)
         drop.near.update(drop.liquid, models.freeSurface->support());
         EXPECT_EQ(drop.near.wide(drop.liquid).support > 0, surface);
         const DeviceCounters before = deviceCounters();
-        models.freeSurface->update(drop.liquid, drop.near, drop.walls);
+        drop.reconstruct(*models.freeSurface);
         EXPECT_EQ(deviceCounters().launches > before.launches, surface);
         EXPECT_EQ(deviceCounters().bytes > before.bytes, surface);
     }
