@@ -94,4 +94,15 @@ std::vector<TimeFolder> selectTimes(const Arguments& args)
     return chosen;
 }
 
+std::vector<TimeFolder> selectTimesWith
+(
+    const Arguments& args, const std::function<bool(const TimeFolder&)>& holds, const std::string& what, const std::string& expected
+)
+{
+    std::vector<TimeFolder> times = selectTimes(args);
+    std::erase_if(times, [&](const TimeFolder& time) { return !holds(time); });
+    if (!times.empty()) return times;
+    throw FatalInputError({args.casePath().string(), 0}, "None of the selected times holds " + what, expected);
+}
+
 }

@@ -25,13 +25,19 @@ public:
         writeTimeState(path() / "0.333333", {1.0 / 3, 4, 1.0 / 12, 0, 0});
     }
 
-    Names select(std::vector<const char*> words) const
+    Arguments arguments(std::vector<const char*> words) const
     {
         const std::string casePath = path().string();
         words.insert(words.begin(), {"tool", "-case", casePath.c_str()});
-        const Arguments args(static_cast<int>(words.size()), words.data(), {"tool", "", timeSelectionOptions()});
+        return {static_cast<int>(words.size()), words.data(), {"tool", "", timeSelectionOptions()}};
+    }
+
+    Names select(const std::vector<const char*>& words) const { return namesOf(selectTimes(arguments(words))); }
+
+    static Names namesOf(const std::vector<TimeFolder>& folders)
+    {
         Names names;
-        for (const TimeFolder& folder : selectTimes(args)) names.push_back(folder.name);
+        for (const TimeFolder& folder : folders) names.push_back(folder.name);
         return names;
     }
 
@@ -69,6 +75,21 @@ TEST(TimeFolders, AreSelectedByOptions)
     EXPECT_EQ(folder.select({"-time", ":1e-5"}), (Names{"0", "1e-05"}));
     EXPECT_EQ(folder.select({"-time", ":"}).size(), 5u);
     EXPECT_EQ(folder.select({"-time", "0,1:"}), (Names{"0", "2"}));
+}
+
+TEST(TimeFolders, AreSelectedByWhatTheyHold)
+{
+    const Case folder;
+    folder.write("0.5/liquid/positions", "");
+    folder.write("2/liquid/positions", "");
+    const auto selected = [&](const std::vector<const char*>& words)
+    {
+        const auto holds = [](const TimeFolder& time) { return fs::exists(time.path / "liquid"); };
+        return Case::namesOf(selectTimesWith(folder.arguments(words), holds, "liquid", "some"));
+    };
+    EXPECT_EQ(selected({}), (Names{"0.5", "2"}));
+    EXPECT_EQ(selected({"-time", ":1"}), Names{"0.5"});
+    EXPECT_TRUE(holds(messageOf([&] { selected({"-time", "0"}); }), {"None of the selected times holds liquid", "some", folder.path().string()}));
 }
 
 TEST(TimeFolders, WrongSelectionsAreErrors)

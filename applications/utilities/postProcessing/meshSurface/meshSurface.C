@@ -35,17 +35,10 @@ Formats chosenFormats(const Arguments& args, const std::vector<std::string>& ofC
     return formats;
 }
 
-// Those of the selected times that hold liquid.
 std::vector<TimeFolder> timesWithLiquid(const Arguments& args)
 {
-    std::vector<TimeFolder> times = selectTimes(args);
-    std::erase_if(times, [](const TimeFolder& time) { return !std::filesystem::exists(time.path/"liquid"); });
-    if (!times.empty()) return times;
-    throw FatalInputError
-    (
-        {args.casePath().string(), 0}, "None of the selected times holds liquid",
-        "<time>/liquid/positions, of fillLiquid or the solver"
-    );
+    const auto holds = [](const TimeFolder& time) { return std::filesystem::exists(time.path/"liquid"); };
+    return selectTimesWith(args, holds, "liquid", "<time>/liquid/positions, of fillLiquid or the solver");
 }
 
 std::vector<Vec3> scaled(const std::vector<Vector3>& positions, double unit)

@@ -36,16 +36,9 @@ TriangleMesh readSurface(const std::filesystem::path& file)
 
 void probeAngle(const Arguments& args)
 {
-    std::vector<TimeFolder> times = selectTimes(args);
-    std::erase_if(times, [](const TimeFolder& time) { return !std::filesystem::exists(liquidSurfaceFile(time.path)); });
-    if (times.empty())
-    {
-        throw FatalInputError
-        (
-            {args.casePath().string(), 0}, "None of the selected times has a surface mesh",
-            "<time>/surface/liquid.ply: run meshSurface before"
-        );
-    }
+    const auto holds = [](const TimeFolder& time) { return std::filesystem::exists(liquidSurfaceFile(time.path)); };
+    const std::vector<TimeFolder> times =
+        selectTimesWith(args, holds, "a surface mesh", "<time>/surface/liquid.ply: run meshSurface before");
 
     const CaseWalls walls = readCaseWalls(args.casePath());
     const DropControls controls = readControls(args.casePath(), walls);

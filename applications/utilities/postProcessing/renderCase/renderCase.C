@@ -31,17 +31,11 @@ namespace
 // The latest of the selected times, or of all, that holds liquid.
 TimeFolder chosenTime(const Arguments& args)
 {
-    const std::vector<TimeFolder> times = selectTimes(args);
-    for (auto time = times.rbegin(); time != times.rend(); ++time)
+    const auto holds = [](const TimeFolder& time)
     {
-        const bool particles = std::filesystem::exists(time->path/"liquid/positions");
-        if (particles || std::filesystem::exists(liquidSurfaceFile(time->path))) return *time;
-    }
-    throw FatalInputError
-    (
-        {args.casePath().string(), 0}, "None of the selected times holds liquid",
-        "<time>/surface/liquid.ply of meshSurface, or <time>/liquid"
-    );
+        return std::filesystem::exists(time.path/"liquid/positions") || std::filesystem::exists(liquidSurfaceFile(time.path));
+    };
+    return selectTimesWith(args, holds, "liquid", "<time>/surface/liquid.ply of meshSurface, or <time>/liquid").back();
 }
 
 void readSize(PictureView& view, const std::string& size)
