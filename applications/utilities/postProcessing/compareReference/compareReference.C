@@ -17,7 +17,8 @@ namespace
 const ApplicationInfo info
 {
     "compareReference",
-    "Compares a case with reference solutions, as system/compareReferenceDict asks (to postProcessing/compareReference)."
+    "Compares a case with reference solutions, as system/compareReferenceDict asks (to postProcessing/compareReference).",
+    {}
 };
 
 std::string verdict(const ComparisonRow& row)
