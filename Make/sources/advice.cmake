@@ -6,6 +6,7 @@ set(SHIZUKU_ADVICE_SOURCES
     advice/Rule.C
     advice/Scene.C
     advice/StoredStudies.C
+    advice/TimedCall.C
     advice/TrialCase.C
     advice/rules/AnalyticWall.C
     advice/rules/DeepLiquid.C

@@ -7,7 +7,7 @@ set(SHIZUKU_DEVICE_APPLICATIONS
 )
 set(pbfDroplet_SOURCES pbfDroplet.C CaseChanges.C StepReport.C ProfileReport.C Ceilings.C)
 set(meshSurface_SOURCES meshSurface.C MeshTimes.C)
-set(adviseCase_SOURCES adviseCase.C CaseForecast.C)
+set(adviseCase_SOURCES adviseCase.C CaseForecast.C SolverStart.C)
 set(adviseCase_LINK shizukuAdvice)
 set(checkCase_SOURCES checkCase.C Findings.C LiquidReport.C SolidReport.C SolvedCase.C)
 set(meshSurface_PLUGINS shizukuVtk)     # the format vtp, where VTK is

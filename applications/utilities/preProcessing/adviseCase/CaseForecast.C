@@ -7,6 +7,7 @@
 #include "motion/SpeedMeter.H"
 #include "particles/ParticleFiles.H"
 #include "stepping/StartCheck.H"
+#include "stepping/SubStep.H"
 
 #include <algorithm>
 #include <array>
@@ -18,22 +19,24 @@ namespace shizuku
 namespace
 {
 
-// s, in the whole run. Time goes on as in the solver, so that those are counted that are due then; the liquid stays.
+// s, in the whole run. Time goes on as in the solver, so that those are counted that are due then; the liquid stays. The first
+// time, which loads code and allocates memory, is no measure of the others.
 double secondsOfFunctions(Time& time, FunctionObjects& functions, FlowView& flow, double dt)
 {
     constexpr double timed = 0.2;
-    const double left = std::max(0.0, time.endTime() - time.value()), begun = clockTime();
+    const double left = std::max(0.0, time.endTime() - time.value());
     const double frames = std::ceil(left / time.deltaT() - 1e-9);
-    double seconds = 0;
+    double first = 0, others = 0;
     int count = 0;
-    for (; count < frames && seconds < timed; ++count)
+    for (; count < frames && (count < 2 || first + others < timed); ++count)
     {
+        const double begun = clockTime();
         time.advance();
         flow.moved(dt);
         functions.execute(flow);
-        seconds = clockTime() - begun;
+        (count == 0 ? first : others) += clockTime() - begun;
     }
-    return count > 0 ? seconds * frames / count : 0;
+    return count > 1 ? first + others * (frames - 1) / (count - 1) : first;
 }
 
 // s, of the particles into a folder of the trial that is no time: the median of several, as a disk may be busy once.
@@ -66,11 +69,11 @@ int writesOf(const std::filesystem::path& casePath)
 
 }
 
-CaseForecast forecastCase(const TrialCase& trial, double measuredFor)
+CaseForecast forecastCase(const TrialCase& trial, const std::string& device, double measuredFor)
 {
     const std::filesystem::path& casePath = trial.path();
-    const double begun = clockTime();
-    device::dropKeptMemory();
+    device::dropKeptMemory();                                   // the solver may need it
+    const SolverStart start = startSolver(trial, device, measuredFor);
     deviceCounters().peakBytes = deviceCounters().bytes;        // of this case alone
     Time time(casePath);
     const Dictionary solution = Dictionary::read(casePath / "system/solution");
@@ -93,13 +96,18 @@ CaseForecast forecastCase(const TrialCase& trial, double measuredFor)
     SpeedMeter meter;
     const double speed = meter.measure(liquid).now;
     const auto limits = control.limits(time.deltaT(), speed, liquid, models);
-    const double ready = clockTime();
+    if (time.index() == 0)
+    {
+        const SubSteps steps = control.divide(time.deltaT(), speed, liquid, models);
+        Neighbourhood settling(liquid);         // its memory serves the steps
+        settle(liquid, settling, walls, models, liquid.units().toScaled(steps.dt, dimensions::time));
+    }
     const RunForecast run = forecastRun(time, control, liquid, walls, models, speed, measuredFor);
-    const double start = ready - begun + std::max(0.0, run.firstSubStep - run.secondsPerSubStep);
+    const double firstStep = std::max(0.0, run.firstSubStep - run.secondsPerSubStep);
     const double functionsTime = secondsOfFunctions(time, functions, flow, run.subStep.dt);
     return
     {
-        run, limits, liquid.owned(), walls.particles(), start, functionsTime, writesOf(casePath),
+        run, limits, liquid.owned(), walls.particles(), start, firstStep, functionsTime, writesOf(casePath),
         secondsOfWriting(trial, time, flow)
     };
 }

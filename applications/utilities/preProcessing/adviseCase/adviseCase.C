@@ -18,7 +18,7 @@ namespace
 {
 
 constexpr std::size_t mostReported = 10;
-constexpr double measuring = 2;             // s, for each of two cases
+constexpr double measuring = 2;             // s, of the start and of steps, for each of two cases
 
 double readTolerance(const Arguments& args)
 {
@@ -70,17 +70,18 @@ void reportAdvice(const std::vector<Advice>& advices, bool explain)
 struct Prediction
 {
     CaseForecast forecast;
-    double start;                           // s, until the first sub-step
+    double start;                           // s, of all but steps, function objects and writing
     std::optional<StoredNumber> secondsPerSubStep, error;
     std::optional<double> likelyError;      // of nine runs in ten
     SceneAnswer answer;
 };
 
-// opened: s, until the device was there. measure: the time of a sub-step is of this machine, here and now; else of one whose
-// times are stored.
-Prediction predict(const CaseForecast& forecast, double opened, const Scene& scene, const DeviceInfo& device, bool measure)
+// opening: s, that the solver's process takes longer where no other has opened the device. measure: the time of a sub-step is of
+// this machine, here and now; else of one whose times are stored.
+Prediction predict(const CaseForecast& forecast, double opening, const Scene& scene, const DeviceInfo& device, bool measure)
 {
-    Prediction prediction{forecast, opened + forecast.start, {}, scene.error(), scene.likelyError(), scene.answer()};
+    const double start = forecast.start.seconds.value_or(0) + opening + forecast.firstStep;
+    Prediction prediction{forecast, start, {}, scene.error(), scene.likelyError(), scene.answer()};
     std::string name = device.name;
     std::erase(name, ',');              // as the table of times has it
     if (!measure) prediction.secondsPerSubStep = scene.studies->stepTime(device.backend, name, forecast.particles);
@@ -102,7 +103,9 @@ void report(const std::string& what, const Prediction& p)
               << run.subStep.limit << "\n"
               << "        memory        " << run.bytes/1048576.0 << " MiB of the device\n"
               << "        time          ";
-    if (p.secondsPerSubStep)
+    const SolverStart& started = p.forecast.start;
+    if (!started.seconds) std::cout << "not known, as the solver does not start on a copy of the case: " << started.refusal << "\n";
+    else if (p.secondsPerSubStep)
     {
         const double loop = p.secondsPerSubStep->value*run.subSteps;
         const double functions = p.forecast.functions, waiting = p.forecast.waiting(loop + functions);
@@ -141,12 +144,15 @@ void adviseCase(const Arguments& args)
 {
     const double tolerance = readTolerance(args);
     const bool measure = args.found("measure");
-    const DeviceInfo device = openNamedDevice();
-    const double opened = clockTime();
+    const double measuredFor = measure ? measuring : 0;
+    const std::string backend = args.get("device");
 
     const StoredStudies studies;
     const TrialCase trial(args.casePath());
-    const CaseForecast present = forecastCase(trial, measure ? measuring : 0);
+    const SolverStart alone = startSolver(trial, backend, measuredFor);
+    const DeviceInfo device = openNamedDevice();
+    const CaseForecast present = forecastCase(trial, backend, measuredFor);
+    const double opening = alone.seconds && present.start.seconds ? *alone.seconds - *present.start.seconds : 0;
     // The scene has the walls that were left out of the trial.
     Scene scene = Scene::read(args.casePath(), trial.path(), studies, tolerance);
     scene.subStep = present.run.subStep.dt;
@@ -157,7 +163,7 @@ void adviseCase(const Arguments& args)
         std::cout << "The walls are not sampled: what follows of memory and time is without their particles\n";
     }
 
-    const Prediction asItIs = predict(present, opened, scene, device, measure);
+    const Prediction asItIs = predict(present, opening, scene, device, measure);
     const std::vector<Advice> advices = adviseOn(scene);
     reportAdvice(advices, args.found("explain"));
     std::vector<CaseChange> changes;
@@ -171,7 +177,7 @@ void adviseCase(const Arguments& args)
         return;
     }
     const TrialCase advised(args.casePath(), changes);
-    report("as advised", predict(forecastCase(advised, measure ? measuring : 0), opened, scene, device, measure));
+    report("as advised", predict(forecastCase(advised, backend, measuredFor), opening, scene, device, measure));
     std::cout << std::endl;
     if (!args.found("apply")) return;
     const auto isSampled = [](const SceneWall& wall) { return wall.type == "particles"; };
