@@ -44,7 +44,7 @@ StoredNumber onLogarithms(const Curve& curve, double x)
 
 // How near runs must be to tell: where the weight is exp(-1/2). Chosen by how well stored runs are foretold that are left out
 // (doc/advice.md).
-constexpr double nearParticles = 1.5, nearChoice = 2, nearBond = 1.5;      // ratios
+constexpr double nearParticles = 1.3, nearChoice = 2, nearBond = 1.5;      // ratios
 constexpr double nearAngle = 15;                        // degrees
 
 double ratioDistance(double a, double b, double ratio) { return std::log(a/b)/std::log(ratio); }
@@ -133,7 +133,8 @@ std::optional<StoredNumber> StoredStudies::typicalError(const std::vector<Run>& 
             b = ratioDistance(asked.choice, run->choice, nearChoice),
             c = distanceOfParameters(asked.scene, asked.parameter, run->parameter);
         const double weight = std::exp(-0.5*(a*a + b*b + c*c));
-        const double amount = run->error*sizeOfAnswer(run->scene, run->parameter);
+        const double spacing = std::cbrt(run->particles/asked.particles);       // asked for, over the run's
+        const double amount = run->error*spacing*sizeOfAnswer(run->scene, run->parameter);
         sum += weight*amount*amount;
         weights += weight;
         sources[run->source] += weight;

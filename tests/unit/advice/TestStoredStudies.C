@@ -18,15 +18,15 @@ TEST_F(StoredStudiesTest, errorsAreRootMeanSquaresOfTheRunsAround)
     {
         return studies_->error("sessile", theta, "default", n, steps)->value;
     };
-    // By hand at a run: the next ones are two factors of two away in the step (exp(-2)), 5.68 of 1.5 in the particles (exp(-16.1)),
-    // with their own step exp(-18.1) and that of 5 exp(-20.2), and four times 15 degrees (exp(-8)).
-    const double e2 = std::exp(-2), particles = std::exp(-0.5*std::pow(std::log(10)/std::log(1.5), 2)), five = std::exp(-0.5*std::pow(std::log2(5/0.7), 2));
+    // By hand at a run: the next ones are two factors of two away in the step (exp(-2)), 8.78 of 1.3 in the particles (exp(-38.5)),
+    // with their own step exp(-40.5) and that of 5 exp(-42.5), and four times 15 degrees (exp(-8)). Their errors count 10^(1/3) times.
+    const double e2 = std::exp(-2), particles = std::exp(-0.5*std::pow(std::log(10)/std::log(1.3), 2)), five = std::exp(-0.5*std::pow(std::log2(5/0.7), 2));
     EXPECT_NEAR
     (
         error(60, 1000, 0.7),
         std::sqrt
         (
-            (0.01 + 0.04*e2 + particles*(1e-4 + 4e-4*e2 + 9e-4*five) + 0.0025*std::exp(-8))
+            (0.01 + 0.04*e2 + std::pow(10, 2.0/3)*particles*(1e-4 + 4e-4*e2 + 9e-4*five) + 0.0025*std::exp(-8))
                 /(1 + e2 + particles*(1 + e2 + five) + std::exp(-8))
         ),
         digits
@@ -40,11 +40,13 @@ TEST_F(StoredStudiesTest, errorsAreRootMeanSquaresOfTheRunsAround)
             EXPECT_NEAR(error(theta, n, 5), typical(60, 10000, 5), digits);
         }
     }
+    // With spacings 1.1 times smaller; the fine ones weigh 3e-13.
+    EXPECT_NEAR(error(60, 1331, 0.7), error(60, 1000, 0.7)/1.1, 1e-9);
     // Beyond the runs as at their ends.
     EXPECT_NEAR(error(60, 100, 0.7), error(60, 1000, 0.7), digits);
     EXPECT_NEAR(error(60, 1e6, 0.7), error(60, 10000, 0.7), digits);
     EXPECT_NEAR(error(20, 1000, 0.7), error(60, 1000, 0.7), digits);
-    // Sources are those of a tenth of the weight; at 3000 the fine ones have exp(-4.4) beside exp(-3.7).
+    // Sources are those of a tenth of the weight; at 3000 the fine ones have exp(-10.5) beside exp(-8.8).
     EXPECT_EQ(studies_->error("sessile", 60, "default", 3000, 0.7)->source, "coarse and fine");
     EXPECT_EQ(studies_->error("sessile", 60, "default", 1000, 0.7)->source, "coarse");
 }
