@@ -17,7 +17,8 @@ namespace
 
 constexpr std::array colours
 {
-    "#1f6fb2", "#d9822b", "#3a9d5d", "#b23a48", "#7a5195", "#5c6b73", "#8c6d31", "#17becf", "#bc80bd"
+    "#1f6fb2", "#d9822b", "#3a9d5d", "#b23a48", "#7a5195", "#5c6b73", "#8c6d31", "#17becf", "#bc80bd", "#e377c2",
+    "#9acd32", "#404040"
 };
 
 bool drawable(const SpeedAccuracyPoint& point)
@@ -189,7 +190,7 @@ void drawPoints
     std::ostringstream commands;
     commands << parts.data.str()
              << "set logscale xy; set grid lc rgb \"#dddddd\"; set offsets graph 0.05, graph 0.15, graph 0.05, graph 0.05\n"
-             << "set key below vertical maxrows 5 samplen 2; set title " << quotedForGnuplot(chart.title) << '\n'
+             << "set key below vertical maxrows " << (parts.plots.size() > 12 ? 7 : 5) << " samplen 2; set title " << quotedForGnuplot(chart.title) << '\n'
              << "set xlabel \"" << axisOf(chart.cost)
              << "\"; set ylabel " << quotedForGnuplot(chart.label) << "\nset format x \"%g\"; set format y \"%g\"\nplot ";
     for (std::size_t i = 0; i < parts.plots.size(); ++i) commands << (i > 0 ? ", \\\n    " : "") << parts.plots[i];
