@@ -76,6 +76,13 @@ struct Parts
     }
 };
 
+// Two columns at most, of which the picture has room for.
+std::ptrdiff_t rowsOfKey(const std::vector<std::string>& plots)
+{
+    const auto isNamed = [](const std::string& plot) { return !plot.ends_with("notitle"); };
+    return std::max<std::ptrdiff_t>(5, (std::ranges::count_if(plots, isNamed) + 1)/2);
+}
+
 void addSeries
 (
     Parts& parts, const Study& study, const SpeedAccuracy& chart, const std::vector<SpeedAccuracyPoint>& points
@@ -190,7 +197,7 @@ void drawPoints
     std::ostringstream commands;
     commands << parts.data.str()
              << "set logscale xy; set grid lc rgb \"#dddddd\"; set offsets graph 0.05, graph 0.15, graph 0.05, graph 0.05\n"
-             << "set key below vertical maxrows " << (parts.plots.size() > 12 ? 7 : 5) << " samplen 2; set title " << quotedForGnuplot(chart.title) << '\n'
+             << "set key below vertical maxrows " << rowsOfKey(parts.plots) << " samplen 2; set title " << quotedForGnuplot(chart.title) << '\n'
              << "set xlabel \"" << axisOf(chart.cost)
              << "\"; set ylabel " << quotedForGnuplot(chart.label) << "\nset format x \"%g\"; set format y \"%g\"\nplot ";
     for (std::size_t i = 0; i < parts.plots.size(); ++i) commands << (i > 0 ? ", \\\n    " : "") << parts.plots[i];
