@@ -69,6 +69,8 @@ TEST_F(CompareReference, TakesTheLargestDropOfEachTime)
     EXPECT_DOUBLE_EQ(cap.at("range of the last angles"), 64);
     EXPECT_EQ(cap.at("height"), 6);                                     // of the last row's but one
     EXPECT_DOUBLE_EQ(measured("type contactAngle; theta 60; within 3; times 9;").at("contact angle"), 31);
+    EXPECT_TRUE(holds(compare("type contactAngle; theta 60; within 3;").text, {"at most 3: miss"}));
+    EXPECT_FALSE(holds(compare("type contactAngle; theta 60;").text, {"at most"}));       // told, not judged
 
     EXPECT_EQ(measured("type angleOnSphere; theta 60; within 3;").at("contact angle"), 64);
     EXPECT_EQ(measured("type angleOnSphere; theta 60; within 3;").at("angle along the contact line"), 6);

@@ -1,8 +1,8 @@
-// type contactAngle;  theta 60;  within 3;  [times 3;]
+// type contactAngle;  theta 60;  [within 3;]  [times 3;]
 // The apparent angle that probeAngle measured, mean of the last `times` written times, against theta [degrees]; what
 // the angle changed over those times; contact radius and height against the spherical cap of the liquid's volume, for
 // information. theta = 0 asks for a film, no thicker than `within` spacings and without gaps (one piece of liquid);
-// theta = 180 for a drop that has left the wall.
+// theta = 180 for a drop that has left the wall. Without `within` the angle or the film's thickness is told, not judged.
 
 #include "Comparison.H"
 #include "LargestDrops.H"
@@ -21,7 +21,7 @@ public:
     explicit ContactAngleComparison(const Dictionary& dict)
     :
         theta_(dict.lookup<double>("theta")),
-        within_(dict.lookupPositive("within", dimensions::none)),
+        within_(dict.found("within") ? dict.lookupPositive("within", dimensions::none) : none),
         times_(dict.lookupOr("times", 3))
     {
         if (!(theta_ >= 0 && theta_ <= 180)) throw FatalInputError(dict.where("theta"), "theta is out of range", "0 to 180");
