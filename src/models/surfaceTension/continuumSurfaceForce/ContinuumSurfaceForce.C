@@ -7,8 +7,11 @@
 //     t_ij^2  = r_ij^2 - (x_ij . n_ij)^2                          n_ij: unit vector along n_i + n_j
 //     kappa   : brought up to the surface, kappa_i/(1 + kappa_i D_i/2), D_i the mean depth of the pairs
 //     kappa'_i: their mean over the neighbours in the density's support, by W_ij b_j
-//     a_i     = 2 sigma kappa b_i G_i / (J rho0), kappa going from kappa_i, where kappa'_i is above 4 |kappa_i - kappa'_i|,
-//                                                 to kappa'_i, where that is below zero
+//     a_i     = sigma/rho0 [ 2 kappa b_i G_i / J(kappa) - f psi(|G_i|/G0) g_i ],    kappa going from kappa_i, where kappa'_i is above
+//                                                 4 |kappa_i - kappa'_i|, to kappa'_i, where that is below zero
+//     g_i     = 2 sum_j W_ij b_j (kappa_j - kappa_i) t_j / sum_j W_ij b_j t_j^2,    j in the density's support: kappa's slope along the
+//                                                 surface, t_j the part of x_j - x_i across n_i
+//     f       = min(1, (t_c/dt)^2)                t_c: the capillary step
 //
 // On a sphere each pair gives exactly 2/r at the pair's mean radius. J(kappa): what 2 b |G| adds up to where particles are,
 // on the liquid's side of a surface of that curvature (SurfaceLayer.H). b is |G| over that of a planar surface, less the tenth
@@ -19,7 +22,7 @@
 //
 // Only a part 1 - psi of the force acts outside of a particle in the layer (SurfaceLayer.H), so that of sigma kappa there is only that
 // part of pressure there. Where kappa changes along the surface, as it does under gravity, the pressure would change too little in
-// the layer to hold it: it would flow down as a skin, and push the rim of a puddle outwards. The second part of the force is
+// the layer to hold it: it would flow down as a skin, and push the rim of a puddle outwards. The second part of the force, with g, is
 // what is missing: both together are the gradient of -sigma kappa psi, which some pressure always balances. In steps longer than the
 // capillary one, sqrt(rho d^3/(2 pi sigma)), it is smaller by the square of how much longer: the waves that it hastens would grow.
 //
@@ -29,7 +32,8 @@
 // away from the wall: of a surface of constant curvature it then says the same as the liquid, and of one at another angle it
 // gives the whole of Young's force.
 //
-// No cohesion enters, so no internal pressure locks the particles; sigma and theta are the user's, and nothing is fitted.
+// No cohesion enters, so no internal pressure locks the particles; sigma and theta are the user's, and no other constant depends on
+// them or on the case. Which were chosen by trial, and by which: doc/theory/constants.md.
 // Where the surface is hollow the pressure behind it may fall to 1.5 sigma kappa, and to -sigma/d away from the surface.
 //
 // The tension of closed surfaces, and of those that meet a plane everywhere at one angle, does not move liquid as a whole;
