@@ -2,7 +2,8 @@
 //
 //     du_i/dt = sum_j 2 nu V (x_ij . grad W_ij)/(r^2 + 0.01 h^2) (u_i - u_j)
 //
-// Walls are at rest; with noSlip their share is summed too (half-space values for analytic walls). Explicit, so the
+// Walls are at rest; with noSlip their share is summed too: of sampled ones by the same sum, 0.01 h^2 included, of analytic ones by the
+// half-space's integral of 2 W'(r)/r (HalfSpace.H), without it. Explicit, so the
 // step is limited to 0.125 d^2/nu.
 //
 //     viscosity      laminar;
