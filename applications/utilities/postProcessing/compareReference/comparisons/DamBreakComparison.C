@@ -41,7 +41,7 @@ public:
         {
             {"rms difference of the front", "%", 0, late.rms, late.rms, "%", within_},
             relativeRow("last front compared", "widths", late.lastMeasured, late.last, none),
-            {"rms difference of the front, begun at once", "%", 0, atOnce.rms, atOnce.rms, "%", none}
+            {"rms difference of the front begun at once", "%", 0, atOnce.rms, atOnce.rms, "%", none}
         };
     }
 
