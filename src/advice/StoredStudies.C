@@ -1,12 +1,12 @@
 #include "advice/StoredStudies.H"
 
+#include "core/angles/Degrees.H"
 #include "core/dictionary/IncludeFile.H"
 #include "core/messages/Error.H"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 namespace shizuku
@@ -57,7 +57,7 @@ double distanceOfParameters(const std::string& scene, double a, double b)
 // Of the answer, in units in which neighbouring parameters' errors are alike.
 double sizeOfAnswer(const std::string& scene, double parameter)
 {
-    return scene == "meniscus" ? std::abs(std::tan(0.5*(90 - parameter)*std::numbers::pi/180)) : 1;
+    return scene == "meniscus" ? std::abs(std::tan(radians(0.5*(90 - parameter)))) : 1;
 }
 
 constexpr double tableDigits = 0.01;        // of numbers that went through a table, or a spacing of three digits

@@ -1,5 +1,6 @@
 #include "geometry/ContactAngle.H"
 
+#include "core/angles/Degrees.H"
 #include "geometry/SphereFit.H"
 
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace
 {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double degrees = 180/std::numbers::pi;
 
 // What the drop hides of the wall: the faces that look away from the wall, moved down to it. Exact as long as no part of
 // the drop overhangs another.
@@ -70,7 +70,7 @@ std::optional<Cut> cutOf(const SphereFit& sphere, const WallShape& wall)
         }
         points.push_back(at(to, sideways));
         const Vector3 normal = (points.back() - sphere.centre)/sphere.radius;
-        angles += std::acos(std::clamp(dot(normal, wall.at(points.back()).normal), -1.0, 1.0))*degrees;
+        angles += degrees(std::acos(std::clamp(dot(normal, wall.at(points.back()).normal), -1.0, 1.0)));
     }
     Vector3 middle;
     for (const Vector3& p : points) middle += p/directions;

@@ -1,5 +1,6 @@
 #include "geometry/SeparateBodies.H"
 
+#include "core/angles/Degrees.H"
 #include "geometry/Bounds.H"
 #include "geometry/ConnectedPoints.H"
 
@@ -78,7 +79,7 @@ std::vector<std::string> resolutionWarnings(const std::vector<SeparateBody>& bod
 
 std::string puddleWarning(double capillaryLength, double theta, double spacing)
 {
-    const double height = 2*capillaryLength*std::sin(theta*std::numbers::pi/360);
+    const double height = 2*capillaryLength*std::sin(radians(theta)/2);
     if (!(height > 0) || height >= thin*spacing) return {};
     std::ostringstream text;
     text << "the weight of the liquid flattens it on the wall to " << height/spacing << " spacings or less, the height "

@@ -1,5 +1,6 @@
 #include "reference/BashforthAdams.H"
 
+#include "core/angles/Degrees.H"
 #include "core/messages/Error.H"
 
 #include <boost/math/tools/roots.hpp>
@@ -24,7 +25,6 @@ using State = std::array<double, 4>;        // x, z, phi, V
 
 constexpr double tolerance = 1e-12;         // of a step of the integration
 
-double radians(double degrees) { return degrees*std::numbers::pi/180; }
 
 void refuse(const std::string& what, double value)
 {

@@ -1,8 +1,9 @@
 #include "reference/CapOnWall.H"
 
+#include "core/angles/Degrees.H"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace shizuku
 {
@@ -10,14 +11,13 @@ namespace shizuku
 namespace
 {
 
-constexpr double pi = std::numbers::pi;
 constexpr int halvings = 60;            // of 180 degrees: below the digits of a double
 
 struct Cap
 {
     explicit Cap(double angle)
     :
-        rise(2*std::pow(std::sin(angle*pi/360), 2)), cosine(1 - rise), radius(std::cbrt(4/((2 + cosine)*rise*rise)))
+        rise(2*std::pow(std::sin(radians(angle)/2), 2)), cosine(1 - rise), radius(std::cbrt(4/((2 + cosine)*rise*rise)))
     {}
 
     double rise, cosine;                // 1 - cos(angle), which keeps its digits at small angles; cos(angle)
@@ -50,7 +50,7 @@ double turningAngle(double from, double to, Condition holds)
 double capEnergy(double angle, double theta)
 {
     const Cap cap(angle);
-    return cap.radius*cap.radius*cap.rise*(2 - std::cos(theta*pi/180)*(1 + cap.cosine));
+    return cap.radius*cap.radius*cap.rise*(2 - std::cos(radians(theta))*(1 + cap.cosine));
 }
 
 double capCentroid(double angle)

@@ -17,19 +17,13 @@ std::optional<DampedOscillation> linearFit
     const std::vector<double>& t, const std::vector<double>& y, double frequency, double damping
 )
 {
-    SmallMatrix<3> matrix{};
-    SmallVector<3> right{};
+    NormalEquations<3> equations;
     for (std::size_t i = 0; i < t.size(); ++i)
     {
         const double decay = std::exp(-damping*t[i]);
-        const SmallVector<3> base{1, decay*std::cos(frequency*t[i]), decay*std::sin(frequency*t[i])};
-        for (int a = 0; a < 3; ++a)
-        {
-            right[a] += base[a]*y[i];
-            for (int b = 0; b < 3; ++b) matrix[a][b] += base[a]*base[b];
-        }
+        equations.add({1, decay*std::cos(frequency*t[i]), decay*std::sin(frequency*t[i])}, y[i]);
     }
-    const auto solution = solveSymmetric(matrix, right);
+    const auto solution = equations.solve();
     if (!solution) return std::nullopt;
 
     DampedOscillation fit{frequency, damping, (*solution)[0], (*solution)[1], (*solution)[2]};

@@ -1,5 +1,6 @@
 #include "reference/TubeMeniscus.H"
 
+#include "core/angles/Degrees.H"
 #include "core/messages/Error.H"
 #include "reference/BashforthAdams.H"
 
@@ -17,7 +18,7 @@ namespace
 // so without gravity, and gravity only flattens it.
 DropProfile profileThrough(double radius, double capillaryLength, double angle, int points)
 {
-    const double cap = radius/std::sin(angle*std::numbers::pi/180);
+    const double cap = radius/std::sin(radians(angle));
     const auto excess = [&](const DropProfile& profile) { return std::log(profile.contactRadius()/radius); };
     return bashforthAdamsWhere(excess, cap, capillaryLength, angle, points);
 }

@@ -1,5 +1,6 @@
 #include "vtk/Picture.H"
 
+#include "core/angles/Degrees.H"
 #include "core/fieldFile/AtomicFile.H"
 #include "core/messages/Error.H"
 #include "geometry/Bounds.H"
@@ -23,7 +24,6 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
-#include <numbers>
 
 namespace shizuku
 {
@@ -43,7 +43,7 @@ struct Stage
     Stage(const std::vector<Vector3>& points, const Vector3& upward, const PictureView& view) : up(upward)
     {
         const Vector3 east = perpendicular(up), south = cross(east, up);
-        const double turn = view.azimuth*std::numbers::pi/180;
+        const double turn = radians(view.azimuth);
         right = std::cos(turn)*east - std::sin(turn)*south;
         front = cross(right, up);
         const Bounds bounds = boundsOf(points);
@@ -100,9 +100,9 @@ void aimCamera
 )
 {
     using Kind = PictureView::Kind;
-    const double elevation = (view.kind == Kind::side ? 3 : view.kind == Kind::above ? 55 : 20)*std::numbers::pi/180;
+    const double elevation = radians(view.kind == Kind::side ? 3 : view.kind == Kind::above ? 55 : 20);
     const double opening = 24;      // degrees, of the picture's height
-    const double distance = halfHeight(stage, seen, view, elevation)/std::tan(opening/2*std::numbers::pi/180);
+    const double distance = halfHeight(stage, seen, view, elevation)/std::tan(radians(opening/2));
     const Vector3 position = stage.centre + distance*stage.direction(0, std::sin(elevation), std::cos(elevation));
 
     vtkCamera& camera = *renderer.GetActiveCamera();

@@ -1,5 +1,6 @@
 #include "vtk/PictureParts.H"
 
+#include "core/angles/Degrees.H"
 #include "geometry/SmoothMesh.H"
 #include "vtk/VtkConversion.H"
 
@@ -26,7 +27,6 @@
 #include <vtkTubeFilter.h>
 
 #include <algorithm>
-#include <numbers>
 
 namespace shizuku
 {
@@ -125,7 +125,7 @@ void addGlass(vtkRenderer& renderer, const GlassTube& tube)
     const Vector3 hinge = cross(Vector3(0, 0, 1), tube.axis);
     vtkNew<vtkTransform> place;
     place->Translate(top.x, top.y, top.z);
-    if (length(hinge) > 0) place->RotateWXYZ(std::acos(tube.axis.z)*180/std::numbers::pi, hinge.x, hinge.y, hinge.z);
+    if (length(hinge) > 0) place->RotateWXYZ(degrees(std::acos(tube.axis.z)), hinge.x, hinge.y, hinge.z);
     vtkNew<vtkTransformPolyDataFilter> rim;
     rim->SetInputConnection(ring->GetOutputPort());
     rim->SetTransform(place);

@@ -1,5 +1,7 @@
 #include "core/dictionary/CalcExpression.H"
 
+#include "core/angles/Degrees.H"
+
 #include <boost/spirit/home/x3.hpp>
 
 #include <algorithm>
@@ -80,8 +82,8 @@ const std::map<std::string, Function>& functions()
         {"sin", unary(std::sin)}, {"cos", unary(std::cos)}, {"tan", unary(std::tan)},
         {"asin", unary(std::asin)}, {"acos", unary(std::acos)}, {"atan", unary(std::atan)},
         {"floor", unary(std::floor)}, {"ceil", unary(std::ceil)},
-        {"degToRad", unary([](double x) { return x*std::numbers::pi/180; })},
-        {"radToDeg", unary([](double x) { return x*180/std::numbers::pi; })},
+        {"degToRad", unary(radians)},
+        {"radToDeg", unary(degrees)},
         {"atan2", binary(std::atan2)}, {"hypot", binary(std::hypot)}, {"pow", binary(std::pow)},
         {"min", binary(std::fmin)}, {"max", binary(std::fmax)},
         {"if", {3, chosen}},

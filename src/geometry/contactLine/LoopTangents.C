@@ -1,5 +1,6 @@
 #include "geometry/contactLine/LoopTangents.H"
 
+#include "core/angles/Degrees.H"
 #include "geometry/BallFit.H"
 #include "geometry/contactLine/LoopFrame.H"
 
@@ -336,7 +337,7 @@ private:
         // The surface leans out of the wetted area at every angle but 0 and 180 degrees.
         const Vector3 along = normal - dot(normal, wallNormal)*wallNormal;
         tangent.outward = length(along) > 0 ? normalized(along) : frame_.radial(azimuth);
-        tangent.angle = std::acos(std::clamp(dot(normal, wallNormal), -1.0, 1.0))*180/pi;
+        tangent.angle = degrees(std::acos(std::clamp(dot(normal, wallNormal), -1.0, 1.0)));
         return tangent;
     }
 

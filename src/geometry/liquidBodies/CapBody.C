@@ -2,6 +2,7 @@
 // A spherical cap on a plane wall: the shape of a small drop at rest. The centre is that of the base circle, the normal
 // that of the wall, into the liquid; the contact angle is in degrees, inside the liquid.
 
+#include "core/angles/Degrees.H"
 #include "geometry/UnitVector.H"
 #include "geometry/liquidBodies/LiquidBody.H"
 
@@ -29,7 +30,7 @@ public:
             );
         }
         // The volume of a cap of a sphere of radius R is pi/3 R^3 (2 + cos)(1 - cos)^2.
-        cosine_ = std::cos(degrees*std::numbers::pi/180);
+        cosine_ = std::cos(radians(degrees));
         radius_ = std::cbrt(3*volume_/(std::numbers::pi*(2 + cosine_)*(1 - cosine_)*(1 - cosine_)));
     }
 

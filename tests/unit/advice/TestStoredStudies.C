@@ -1,3 +1,4 @@
+#include "core/angles/Degrees.H"
 #include "unit/advice/FakeStudies.H"
 
 #include <cmath>
@@ -55,7 +56,7 @@ TEST_F(StoredStudiesTest, errorsAreRootMeanSquaresOfTheRunsAround)
 TEST_F(StoredStudiesTest, errorsOfMenisciGrowAsTheirRiseFalls)
 {
     const auto error = [&](double theta) { return studies_->error("meniscus", theta, "default", 1000, 0.7)->value; };
-    const auto rise = [](double theta) { return std::abs(std::tan((45 - theta/2)*std::acos(-1)/180)); };
+    const auto rise = [](double theta) { return std::abs(std::tan(radians(45 - theta/2))); };
     for (const double theta : {10.0, 30.0, 75.0, 120.0, 170.0}) EXPECT_NEAR(error(theta), 0.05*rise(30)/rise(theta), digits);
     EXPECT_FALSE(studies_->error("meniscus", 90, "default", 1000, 0.7));
 }

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace shizuku::test
 {
 
@@ -62,7 +65,7 @@ TEST(SeparateBodies, haveTheirParticlesBoxAndMotion)
     ASSERT_EQ(bodies.size(), 2u);
     EXPECT_EQ(bodies[0].particles.size(), 27u);
     EXPECT_DOUBLE_EQ(bodies[0].volume, 27);
-    EXPECT_NEAR(bodies[0].diameter(), 3*std::cbrt(6/std::acos(-1.0)), 1e-12);      // of a cube of 3: doubles
+    EXPECT_NEAR(bodies[0].diameter(), 3*std::cbrt(6/std::numbers::pi), 1e-12);      // of a cube of 3: doubles
     EXPECT_NEAR(length(bodies[0].size() - Vector3(3, 3, 3)), 0, 1e-14);
     EXPECT_NEAR(length(bodies[1].velocity - Vector3(0, 0, 0.5)), 0, 1e-15);
     EXPECT_EQ(bodies[1].low, Vector3(-0.5, -0.5, -0.5));

@@ -1,10 +1,12 @@
 // The mesh of pictures: bumps go, the body and its edges stay.
+#include "core/angles/Degrees.H"
 #include "geometry/SmoothMesh.H"
 #include "support/CapMesh.H"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 using namespace shizuku;
@@ -62,7 +64,7 @@ TEST(SmoothMesh, NormalsTurnAtAnEdgeOnly)
 {
     // Half a sphere on its disc: further than eight cells from the edge the normals are those of the sphere and of the disc.
     const double cell = 0.05;
-    const Cap cap = capOfVolume(90, 2*M_PI/3, Plane{{0, 0, 0}, {0, 0, 1}}, {0, 0, 0});
+    const Cap cap = capOfVolume(90, 2*std::numbers::pi/3, Plane{{0, 0, 0}, {0, 0, 1}}, {0, 0, 0});
     const TriangleMesh smooth = smoothMesh(capMesh(cap, cell), 0, 15);
     for (std::size_t i = 0; i < smooth.vertices.size(); ++i)
     {
@@ -72,7 +74,7 @@ TEST(SmoothMesh, NormalsTurnAtAnEdgeOnly)
         if (above || below)
         {
             const Vector3 exact = above ? normalized(x) : Vector3(0, 0, -1);
-            EXPECT_GT(dot(smooth.normals[i], exact), std::cos(5*M_PI/180));
+            EXPECT_GT(dot(smooth.normals[i], exact), std::cos(radians(5)));
         }
     }
 }

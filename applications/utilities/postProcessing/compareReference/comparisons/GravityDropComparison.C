@@ -7,6 +7,7 @@
 
 #include "Comparison.H"
 #include "LargestDrops.H"
+#include "core/angles/Degrees.H"
 #include "core/fieldFile/CsvFile.H"
 #include "reference/BashforthAdams.H"
 
@@ -42,7 +43,7 @@ public:
             relativeRow("contact radius", "m", exact.contactRadius(), drops.number(last, "lineRadius"), within_),
             relativeRow("largest radius", "m", widest, radius, theta_ > 90 ? within_ : std::nan("")),
             relativeRow("surface tension", "N/m", results.sigma, drops.number(last, "sigma"), sigmaWithin),
-            relativeRow("height of a puddle", "m", 2*l*std::sin(theta_*std::numbers::pi/360), height, std::nan(""))
+            relativeRow("height of a puddle", "m", 2*l*std::sin(radians(theta_)/2), height, std::nan(""))
         };
     }
 
