@@ -65,10 +65,10 @@ void densitySum(benchmark::State& state)
 struct StoreConstraint
 {
     CubicSpline W;
-    float volume;
+    scalar volume;
     Span<const Vec3> x;
     NeighbourView near;
-    Span<float> constraint;
+    Span<scalar> constraint;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
@@ -81,7 +81,7 @@ void gradientSum(benchmark::State& state)
 {
     Block block(state);
     const Liquid& liquid = block.liquid;
-    Buffer<float> constraint(liquid.owned());
+    Buffer<scalar> constraint(liquid.owned());
     for (auto _ : state)
     {
         forEachTeam(liquid.owned(), StoreConstraint
@@ -97,15 +97,15 @@ struct StoreWideSum
 {
     WendlandC2 W;
     NeighbourSearch wide;
-    Span<float> sum;
+    Span<scalar> sum;
 
     HOST_DEVICE void operator()(Group particles, Team team) const
     {
         GroupOfParticles group{{}, particles.members()};
         for (int p = 0; p < Group::most; ++p) group.index[p] = particles[p];
-        Team::Float values[Group::most] = {};
+        Team::Scalar values[Group::most] = {};
         wide.forEach(group, [](auto) { return 0; }, [&](int p, int, auto r) { values[p] += W.W(norm(r)); }, team);
-        const float found = team.sums(values);
+        const scalar found = team.sums(values);
         if (team.lane < particles.size) sum[particles.first + team.lane] = found;
     }
 };
@@ -116,7 +116,7 @@ void wideSum(benchmark::State& state)
     Liquid& liquid = block.liquid;
     const WendlandC2 W(2 * liquid.support());
     block.near.update(liquid, W.h);
-    Buffer<float> sum(liquid.owned());
+    Buffer<scalar> sum(liquid.owned());
     for (auto _ : state) forEachGroup(liquid.owned(), StoreWideSum{W, block.near.wide(liquid), sum.span()});
     block.report(state);
 }

@@ -41,17 +41,17 @@ public:
         ramp_ = liquid.units().toScaled(ramp, dimensions::time);
     }
 
-    void apply(Liquid& liquid, float dt) override
+    void apply(Liquid& liquid, scalar dt) override
     {
         time_ += dt;
-        forEach(liquid.owned(), AddVelocity{dt * std::min(time_ / ramp_, 1.0f) * g_, liquid.velocity.span()});
+        forEach(liquid.owned(), AddVelocity{dt * std::min(time_ / ramp_, scalar(1)) * g_, liquid.velocity.span()});
     }
 
     double acceleration() const override { return magnitude_; }
 
 private:
     Vec3 g_;                            // scaled
-    float ramp_, time_ = 0;             // scaled
+    scalar ramp_, time_ = 0;            // scaled
     double magnitude_;                  // m/s2
 };
 

@@ -18,7 +18,7 @@ template<class Kernel>
 struct Diffuse
 {
     Kernel W;
-    float factor;                       // a h^2 V
+    scalar factor;                      // a h^2 V
     Span<const Vec3> x;
     NeighbourView near;
     WallStop stop;
@@ -39,7 +39,7 @@ class @class@ : public ParticleShifting
 public:
     @class@(const Dictionary& coeffs, Liquid&, Walls&, FreeSurface&)
     :
-        strength_(float(coeffs.lookupOr("strength", 0.01)))
+        strength_(scalar(coeffs.lookupOr("strength", 0.01)))
     {
         if (!(strength_ >= 0 && strength_ <= 1)) throw FatalInputError(coeffs.where("strength"), "The strength is out of range", "0 to 1");
     }
@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    float strength_;
+    scalar strength_;
 };
 
 const ParticleShiftingTable::Add<@class@> registered{"@word@"};

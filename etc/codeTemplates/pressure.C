@@ -15,7 +15,7 @@ namespace
 
 struct Separate
 {
-    float spacing;
+    scalar spacing;
     Span<const Vec3> x;
     NeighbourView near;
     Span<Vec3> corrected;
@@ -28,12 +28,12 @@ struct Separate
         near.forEach(i, [&](int j)
         {
             const Vec3 r = xi - x[j];
-            const float distance = norm(r);
+            const scalar distance = norm(r);
             if (distance == 0 || distance >= spacing) return;
             sum += 0.5f * (spacing - distance) / distance * r;
             ++close;
         });
-        corrected[i] = close > 0 ? xi + 1.0f / float(close) * sum : xi;
+        corrected[i] = close > 0 ? xi + 1.0f / scalar(close) * sum : xi;
     }
 };
 
@@ -45,7 +45,7 @@ public:
         if (iterations_ < 1) throw FatalInputError(dict.where("iterations"), "iterations is not positive", "1 or more");
     }
 
-    void begin(float) override { made_ = 0; }
+    void begin(scalar) override { made_ = 0; }
     bool violated(Liquid&, const Neighbourhood&, const Walls&) override { return made_ < iterations_; }
 
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls&) override

@@ -26,7 +26,7 @@ TEST(@class@, SeparatesAPairByASpacing)
     EXPECT_EQ(model->iterations(), 2);
 
     const auto moved = drop.inOrder(drop.liquid.predicted);
-    const float d = drop.liquid.spacing();
+    const scalar d = drop.liquid.spacing();
     // Both move by half of what is missing; single precision.
     EXPECT_NEAR(moved[0].x, -0.2 * d, 1e-6);
     EXPECT_NEAR(moved[1].x, 0.8 * d, 1e-6);

@@ -19,7 +19,7 @@ template<class Kernel>
 struct Attract
 {
     Kernel W;
-    float weight;                       // strength sigma/(rho0 d^3) V
+    scalar weight;                      // strength sigma/(rho0 d^3) V
     Span<const Vec3> x;
     NeighbourView near;
     Span<Vec3> acceleration;
@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    float stiffness_;                   // scaled
+    scalar stiffness_;                  // scaled
 };
 
 const SurfaceTensionTable::Add<@class@> registered{"@word@"};

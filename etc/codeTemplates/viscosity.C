@@ -17,7 +17,7 @@ constexpr Dimensions rateDimensions{{0, 0, -1, 0, 0, 0, 0}};
 
 struct Decay
 {
-    float factor;
+    scalar factor;
     Span<Vec3> velocity;
 
     HOST_DEVICE void operator()(int i) const { velocity[i] = factor * velocity[i]; }
@@ -33,13 +33,13 @@ public:
         rate_ = liquid.units().toScaled(rate, rateDimensions);
     }
 
-    void apply(Liquid& liquid, const Neighbourhood&, const Walls&, float dt) override
+    void apply(Liquid& liquid, const Neighbourhood&, const Walls&, scalar dt) override
     {
         forEach(liquid.owned(), Decay{1 / (1 + rate_ * dt), liquid.velocity.span()});
     }
 
 private:
-    float rate_;                        // scaled
+    scalar rate_;                       // scaled
 };
 
 const ViscosityTable::Add<@class@> registered{"@word@"};

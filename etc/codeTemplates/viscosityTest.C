@@ -10,7 +10,7 @@ TEST(@class@, SlowsTheLiquidByItsRate)
     LiquidCase drop;
     drop.place({{0, 0, 0}, {1, 0, 0}}, {{1, -2, 3}, {0, 0, 0}});
     const auto model = Viscosity::New(Dictionary::parse("viscosity @word@; @word@Coeffs { rate 100; }"), drop.liquid);
-    const float dt = drop.liquid.units().toScaled(1e-3, dimensions::time);
+    const scalar dt = drop.liquid.units().toScaled(1e-3, dimensions::time);
     for (int step = 0; step < 2; ++step) model->apply(drop.liquid, drop.near, drop.walls, dt);
 
     const auto velocity = drop.inOrder(drop.liquid.velocity);

@@ -16,7 +16,7 @@ namespace
 
 struct PullToWalls
 {
-    float strength;
+    scalar strength;
     Span<const Vec3> x;
     WallView walls;
     Span<Vec3> acceleration;
@@ -29,7 +29,7 @@ struct PullToWalls
         {
             sum += place.normal;
         });
-        const float length = norm(sum);
+        const scalar length = norm(sum);
         if (length > 0) acceleration[i] -= strength / length * sum;
     }
 };
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    float strength_;                    // scaled
+    scalar strength_;                   // scaled
 };
 
 const WettingTable::Add<@class@> registered{"@word@"};

@@ -25,7 +25,7 @@ struct FindSurface
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        float open = near.count[i] < leastInside ? 1 : 0;
+        scalar open = near.count[i] < leastInside ? 1 : 0;
         near.forEach(i, [&](int j) { if (near.count[j] < leastInside) open = 1; }, team);
         open = team.sum(open);
         if (team.first()) isNear[i] = open > 0;
@@ -36,7 +36,7 @@ struct FindSurface
 struct SumColour
 {
     WendlandC2 W;
-    float volume;                           // V/S
+    scalar volume;                          // V/S
     NeighbourSearch wide;
     Span<const std::uint32_t> selected;
     Span<Vec3> gradient;                    // with w = the colour
@@ -47,7 +47,7 @@ struct SumColour
         group.members = places.members();
         #pragma unroll
         for (int p = 0; p < Group::most; ++p) group.index[p] = int(selected[places[p]]);
-        Team::Float values[Group::most] = {};
+        Team::Scalar values[Group::most] = {};
         Team::Vector slopes[Group::most];
         wide.forEach(group, [](auto) { return 0; }, [&](int p, int, auto r)
         {
@@ -55,7 +55,7 @@ struct SumColour
             values[p] += W.W(distance);
             slopes[p] += W.g(distance) * r;
         }, team);
-        const float sum = team.sums(values);
+        const scalar sum = team.sums(values);
         const Vec3 G = team.sums(slopes);
         if (team.lane >= places.size) return;
         const int k = places.first + team.lane;
@@ -70,8 +70,8 @@ struct Reconstruct
 
     Span<const Vec3> x;
     FindContactLine findContactLine;
-    Span<const float> depthOfRatio;
-    float largestRatio, suction;
+    Span<const scalar> depthOfRatio;
+    scalar largestRatio, suction;
     Span<const std::uint32_t> place;
     Span<Vec3> gradient, position;
     Span<ContactLine> contact;
@@ -81,7 +81,7 @@ struct Reconstruct
         const int k = int(place[i]);
         const Vec3 xi = x[i];
         Vec3 G = gradient[k];
-        float colour = G.w;
+        scalar colour = G.w;
         const ContactLine line = findContactLine(i, xi, colour, G, team);
         const WallCompletion& completion = findContactLine.completion;
         const auto wall = completion(i, xi, line, team);
@@ -95,28 +95,28 @@ struct Reconstruct
 
 private:
     // What has no number is not deep.
-    HOST_DEVICE float depthOf(float ratio) const
+    HOST_DEVICE scalar depthOf(scalar ratio) const
     {
         return valueAt(depthOfRatio, ratio < largestRatio ? ratio / largestRatio : 1);
     }
 };
 
 // q h at the depth s below a planar surface.
-float ratioAt(const HalfSpaceView& plane, float s) { return plane.h * plane(s).gradient / (1 - plane(s).density); }
+scalar ratioAt(const HalfSpaceView& plane, scalar s) { return plane.h * plane(s).gradient / (1 - plane(s).density); }
 
 // s at evenly spaced q h from 0 to that of the shallowest: on the way there from deep inside it grows.
-std::vector<float> tabulateDepths(const HalfSpaceView& plane, float shallowest)
+std::vector<scalar> tabulateDepths(const HalfSpaceView& plane, scalar shallowest)
 {
-    const float largest = ratioAt(plane, shallowest);
+    const scalar largest = ratioAt(plane, shallowest);
     constexpr int n = 256;
-    std::vector<float> depths(n + 1);
+    std::vector<scalar> depths(n + 1);
     for (int k = 0; k <= n; ++k)
     {
-        float low = shallowest, high = plane.h;
+        scalar low = shallowest, high = plane.h;
         for (int step = 0; step < 40; ++step)
         {
-            const float s = 0.5f * (low + high);
-            (ratioAt(plane, s) > largest * float(k) / n ? low : high) = s;
+            const scalar s = 0.5f * (low + high);
+            (ratioAt(plane, s) > largest * scalar(k) / n ? low : high) = s;
         }
         depths[k] = 0.5f * (low + high);
     }
@@ -127,27 +127,27 @@ std::vector<float> tabulateDepths(const HalfSpaceView& plane, float shallowest)
 // one, 1.5 spacings below, 0.8 and more.
 std::uint32_t leastInside(const Liquid& liquid)
 {
-    const float supports = liquid.support() / liquid.spacing();
+    const scalar supports = liquid.support() / liquid.spacing();
     return std::uint32_t(0.7f * 4.18879f * supports * supports * supports);
 }
 
 }
 
-void FreeSurface::require(const Liquid& liquid, Walls& walls, float support, float suction)
+void FreeSurface::require(const Liquid& liquid, Walls& walls, scalar support, scalar suction)
 {
-    const float h = support * liquid.spacing();
+    const scalar h = support * liquid.spacing();
     walls.requireContacts(liquid, h);
     suction_ = suction;
     kernel_.emplace(h);
     const WendlandC2 W = *kernel_;
-    latticeSum_ = latticeSum(liquid.spacing(), h, [&](float r) { return W.W(r); });
+    latticeSum_ = latticeSum(liquid.spacing(), h, [&](scalar r) { return W.W(r); });
 
     const auto plane = tabulateHalfSpace(W);
     plane_.upload(plane);
     const HalfSpaceView view{{plane.data(), int(plane.size())}, h};
     steepest_ = view(0).gradient;
 
-    const float shallowest = 0.5f * liquid.spacing();
+    const scalar shallowest = 0.5f * liquid.spacing();
     largestRatio_ = ratioAt(view, shallowest);
     depthOfRatio_.upload(tabulateDepths(view, shallowest));
 }

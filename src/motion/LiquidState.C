@@ -13,8 +13,8 @@ HOST_DEVICE void LiquidSums::add(const LiquidSums& other)
         position[c] += other.position[c];
         velocity[c] += other.velocity[c];
     }
-    mostSpeed2 = fmaxf(mostSpeed2, other.mostSpeed2);
-    mostCompression = fmaxf(mostCompression, other.mostCompression);
+    mostSpeed2 = fmax(mostSpeed2, other.mostSpeed2);
+    mostCompression = fmax(mostCompression, other.mostCompression);
 }
 
 namespace
@@ -23,12 +23,12 @@ namespace
 struct SumsOfParticle
 {
     Span<const Vec3> position, velocity;
-    Span<const float> density;
+    Span<const scalar> density;
 
     HOST_DEVICE LiquidSums operator()(int i) const
     {
         const Vec3 x = position[i], u = velocity[i];
-        const float speed2 = squared(u), compression = fmaxf(density[i] - 1, 0);
+        const scalar speed2 = squared(u), compression = fmax(density[i] - 1, 0);
         LiquidSums sums;
         sums.speed2 = sums.mostSpeed2 = speed2;
         sums.volume = 1 / (1 + compression);

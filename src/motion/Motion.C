@@ -10,7 +10,7 @@ namespace
 
 struct Predict
 {
-    float dt;
+    scalar dt;
     Span<const Vec3> position, velocity;
     Span<Vec3> predicted;
 
@@ -19,7 +19,7 @@ struct Predict
 
 struct Displace
 {
-    float dt2;
+    scalar dt2;
     Span<const Vec3> acceleration;
     Span<Vec3> predicted;
 
@@ -28,7 +28,7 @@ struct Displace
 
 struct Update
 {
-    float perStep;
+    scalar perStep;
     Span<const Vec3> predicted;
     Span<Vec3> position, velocity;
 
@@ -41,17 +41,17 @@ struct Update
 
 }
 
-void predictPositions(Liquid& liquid, float dt)
+void predictPositions(Liquid& liquid, scalar dt)
 {
     forEach(liquid.owned(), Predict{dt, liquid.position.span(), liquid.velocity.span(), liquid.predicted.span()});
 }
 
-void displace(Liquid& liquid, const Buffer<Vec3>& acceleration, float dt)
+void displace(Liquid& liquid, const Buffer<Vec3>& acceleration, scalar dt)
 {
     forEach(liquid.owned(), Displace{dt * dt, acceleration.span(), liquid.predicted.span()});
 }
 
-void updateVelocities(Liquid& liquid, float dt)
+void updateVelocities(Liquid& liquid, scalar dt)
 {
     liquid.velocity.resizeDiscarding(liquid.all());
     forEach(liquid.owned(), Update{1 / dt, liquid.predicted.span(), liquid.position.span(), liquid.velocity.span()});

@@ -15,7 +15,7 @@ struct SpeedOf
 
     HOST_DEVICE SpeedMeter::Fastest operator()(int i) const
     {
-        const float speed2 = squared(velocity[i]);
+        const scalar speed2 = squared(velocity[i]);
         if (squared(position[i]) < 1e30f && speed2 < 1e30f) return {speed2, 0};
         return {0, 1};
     }
@@ -36,7 +36,7 @@ void SpeedMeter::watch(const Liquid& liquid)
 Speeds SpeedMeter::measure(const Liquid& liquid)
 {
     const Fastest now = reduce(liquid.owned(), speedOf(liquid), scratch_), watched = watched_.take();
-    const auto speed = [&](float speed2) { return std::sqrt(double(speed2)) * liquid.units().of(dimensions::velocity); };
+    const auto speed = [&](scalar speed2) { return std::sqrt(double(speed2)) * liquid.units().of(dimensions::velocity); };
     return {speed(now.speed2), speed(std::max(now.speed2, watched.speed2)), now.nonFinite > 0 ? now.nonFinite : watched.nonFinite};
 }
 

@@ -54,11 +54,11 @@ struct OrderInCells
 // What sorting needs for a while, as large as a vector: it takes the memory of a field of these.
 struct WordsOfPoint
 {
-    std::uint32_t word[4];
+    std::uint32_t word[sizeof(Vec3) / sizeof(std::uint32_t)];
 };
 
 // Of as many cells as a search of that reach visits along an axis, around points that are so many cells apart.
-std::uint32_t bitsOfSearch(float reach, float cell, int apart)
+std::uint32_t bitsOfSearch(scalar reach, scalar cell, int apart)
 {
     const std::uint32_t mostVisited = std::uint32_t(2.01f * reach / cell) + 2 + std::uint32_t(apart);
     std::uint32_t bits = 1;
@@ -68,7 +68,7 @@ std::uint32_t bitsOfSearch(float reach, float cell, int apart)
 
 }
 
-CellGrid::CellGrid(float cellSize, float reach)
+CellGrid::CellGrid(scalar cellSize, scalar reach)
 :
     cellSize_(cellSize), leastBits_(bitsOfSearch(reach, cellSize, 0)),
     leastBitsX_(bitsOfSearch(reach, cellSize / device::cellsInWidth, CellGridView::mostApart))
@@ -88,7 +88,7 @@ void CellGrid::chooseSize(int n)
 
 CellGridView CellGrid::view() const
 {
-    const float perCell = 1 / cellSize_;
+    const scalar perCell = 1 / cellSize_;
     return {cellSize_, perCell, device::cellsInWidth * perCell, bitsX_, bitsY_, bitsZ_, start_.span()};
 }
 

@@ -17,7 +17,7 @@ struct Search
 {
     CellGridView grid;
     Span<const Vec3> points, sources;
-    float support;
+    scalar support;
     bool sameSet;
 
 #ifdef __CUDACC__
@@ -27,7 +27,7 @@ struct Search
     HOST_DEVICE void forEach(int i, Look look, Visit visit) const
     {
         const Vec3 p = points[i];
-        const float support2 = support * support;
+        const scalar support2 = support * support;
         const int self = sameSet ? i : -1;
         grid.forEachRange(AroundPoint{p, support}, [&](int first, int end)
         {
@@ -47,7 +47,7 @@ struct Search
         Vec3 at[Group::most];
         #pragma unroll
         for (int p = 0; p < Group::most; ++p) at[p] = points[group[p]];
-        const float support2 = support * support;
+        const scalar support2 = support * support;
         const int self = sameSet ? group.first : -Group::most;
         searchTogether(grid, at, group.members(), support, [&](int j, bool counts, const auto& x)
         {
@@ -68,7 +68,7 @@ struct Search
     void forEachTurn(int i, Visit visit) const
     {
         const Vec3 p = points[i];
-        const float support2 = support * support;
+        const scalar support2 = support * support;
         const int self = sameSet ? i : -1;
         grid.forEachTurn(AroundPoint{p, support}, [&](auto j, int end)
         {

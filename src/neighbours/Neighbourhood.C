@@ -11,7 +11,7 @@ namespace
 // A fifth more than the particles of a full neighbourhood.
 int usualNeighbours(const Liquid& liquid)
 {
-    const float supports = liquid.support() / liquid.spacing();
+    const scalar supports = liquid.support() / liquid.spacing();
     return int(1.2f * 4.18879f * supports * supports * supports);
 }
 
@@ -23,13 +23,13 @@ Neighbourhood::Neighbourhood(const Liquid& liquid)
     list_(liquid.support(), usualNeighbours(liquid))
 {}
 
-void Neighbourhood::update(Liquid& liquid, float wideSupport)
+void Neighbourhood::update(Liquid& liquid, scalar wideSupport)
 {
     search(liquid, wideSupport);
     lengthen(liquid);
 }
 
-void Neighbourhood::search(Liquid& liquid, float wideSupport)
+void Neighbourhood::search(Liquid& liquid, scalar wideSupport)
 {
     if (wideSupport != wideSupport_)
     {

@@ -23,7 +23,7 @@ struct ReorderFields
     static constexpr int most = 4;          // of each type
 
     Span<const std::uint32_t> order;
-    Move<float> scalar[most] = {};
+    Move<scalar> number[most] = {};
     Move<Vec3> vector[most] = {};
     Move<std::uint32_t> label[most] = {};
     int scalars = 0, vectors = 0, labels = 0;
@@ -32,7 +32,7 @@ struct ReorderFields
     {
         const std::uint32_t j = order[i];
         for (int k = 0; k < vectors; ++k) vector[k].to[i] = vector[k].from[j];
-        for (int k = 0; k < scalars; ++k) scalar[k].to[i] = scalar[k].from[j];
+        for (int k = 0; k < scalars; ++k) number[k].to[i] = number[k].from[j];
         for (int k = 0; k < labels; ++k) label[k].to[i] = label[k].from[j];
     }
 };
@@ -93,7 +93,7 @@ void FieldRegistry::reorder(const Buffer<std::uint32_t>& order)
         if (k < vectors.size()) add(std::get<Buffer<Vec3>>(*vectors[k]), fields.vector, fields.vectors);
         if (k < numbers.size())
         {
-            if (auto* scalars = std::get_if<Buffer<float>>(numbers[k])) add(*scalars, fields.scalar, fields.scalars);
+            if (auto* scalars = std::get_if<Buffer<scalar>>(numbers[k])) add(*scalars, fields.number, fields.scalars);
             if (auto* labels = std::get_if<Buffer<std::uint32_t>>(numbers[k])) add(*labels, fields.label, fields.labels);
         }
         if (order.size() > many) launch();

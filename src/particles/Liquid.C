@@ -43,7 +43,7 @@ Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)
         .name = "U", .dimensions = dimensions::velocity, .written = true, .restarted = true, .exchanged = true
     })),
     predicted(fields().add<Vec3>({.name = "predicted", .dimensions = dimensions::length, .exchanged = true})),
-    density(fields().add<float>({.name = "densityRatio", .dimensions = dimensions::none, .sorted = false, .written = true})),
+    density(fields().add<scalar>({.name = "densityRatio", .dimensions = dimensions::none, .sorted = false, .written = true})),
     id(fields().add<std::uint32_t>({.name = "id", .dimensions = dimensions::none, .written = true, .restarted = true})),
     properties_(properties),
     units_(Units::near(properties.spacing, properties.characteristicTime(), properties.particleMass())),
@@ -52,11 +52,11 @@ Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)
     kernel_(makeKernel
     (
         kernelDict.lookupChoiceOr("type", kernelWords(), CubicSpline::word),
-        spacing_ * float(kernelDict.lookupOr("support", 2.0))
+        spacing_ * scalar(kernelDict.lookupOr("support", 2.0))
     )),
     latticeSum_(std::visit
     (
-        [this](const auto& W) { return shizuku::latticeSum(spacing_, W.h, [&](float r) { return W.W(r); }); }, kernel_
+        [this](const auto& W) { return shizuku::latticeSum(spacing_, W.h, [&](scalar r) { return W.W(r); }); }, kernel_
     ))
 {
     const double support = kernelDict.lookupOr("support", 2.0);

@@ -35,7 +35,7 @@ RunForecast forecastRun
     forecast.subSteps = std::max(0.0, std::ceil(left / time.deltaT() - 1e-9)) * forecast.subStep.count;
 
     Neighbourhood near(liquid);
-    const float dt = liquid.units().toScaled(forecast.subStep.dt, dimensions::time);
+    const scalar dt = liquid.units().toScaled(forecast.subStep.dt, dimensions::time);
     const auto step = [&] { subStep(liquid, near, walls, models, dt); };
     forecast.firstSubStep = secondsOf(step);
     double sum = 0;

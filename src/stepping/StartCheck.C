@@ -15,12 +15,12 @@ namespace shizuku
 namespace
 {
 
-constexpr float crowdedDensity = 1.1f;
+constexpr scalar crowdedDensity = 1.1f;
 
 struct CrowdingSums
 {
     double density = 0, compression2 = 0;
-    float most = 0, nearest2 = 1e30f;
+    scalar most = 0, nearest2 = 1e30f;
     int crowded = 0, densest = 0;
 
     HOST_DEVICE void add(const CrowdingSums& other)
@@ -28,7 +28,7 @@ struct CrowdingSums
         density += other.density;
         compression2 += other.compression2;
         crowded += other.crowded;
-        nearest2 = fminf(nearest2, other.nearest2);
+        nearest2 = fmin(nearest2, other.nearest2);
         if (other.most <= most) return;
         most = other.most;
         densest = other.densest;
@@ -40,21 +40,21 @@ template<class Kernel>
 struct CrowdingOf
 {
     Kernel W;
-    float volume;                       // V/S
+    scalar volume;                      // V/S
     CellGridView grid;
     Span<const Vec3> x;
 
     HOST_DEVICE CrowdingSums operator()(int i) const
     {
         const Vec3 xi = x[i];
-        float sum = 0, nearest2 = 1e30f;
+        scalar sum = 0, nearest2 = 1e30f;
         grid.forEachCandidate(AroundPoint{xi, W.h}, [&](int j)
         {
-            const float r2 = squared(xi - x[j]);
-            sum += W.W(sqrtf(r2));
-            if (j != i) nearest2 = fminf(nearest2, r2);
+            const scalar r2 = squared(xi - x[j]);
+            sum += W.W(sqrt(r2));
+            if (j != i) nearest2 = fmin(nearest2, r2);
         });
-        const float density = volume * sum, above = fmaxf(density - 1, 0);
+        const scalar density = volume * sum, above = fmax(density - 1, 0);
         return {density, above * above, density, nearest2, density > crowdedDensity ? 1 : 0, i};
     }
 };
@@ -62,14 +62,14 @@ struct CrowdingOf
 // Each particle by its own random way, up to `most` along each axis: bits of its number, mixed by Knuth's multiplier.
 struct Stir
 {
-    float most;
+    scalar most;
     Span<const std::uint32_t> id;
     Span<Vec3> position;
 
     HOST_DEVICE void operator()(int i) const
     {
         const std::uint32_t bits = (id[i] + 1) * 2654435761u;
-        const auto part = [&](int shift) { return most * (float(bits >> shift & 1023u) / 511.5f - 1); };
+        const auto part = [&](int shift) { return most * (scalar(bits >> shift & 1023u) / 511.5f - 1); };
         position[i] += Vec3{part(0), part(10), part(20)};
     }
 };
@@ -87,7 +87,7 @@ Crowding measureCrowding(const Liquid& liquid)
     (
         [&]<class Kernel>(const Kernel& W)
         {
-            const float volume = liquid.particleVolume() / liquid.latticeSum();
+            const scalar volume = liquid.particleVolume() / liquid.latticeSum();
             return reduce(liquid.owned(), CrowdingOf<Kernel>{W, volume, grid.view(), sorted.span()}, scratch);
         },
         liquid.kernel()

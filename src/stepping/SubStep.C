@@ -12,7 +12,7 @@ namespace
 // Predicts the positions after dt, and lists what lies around them. move: what needs the lists and may have to be done again with
 // longer ones.
 template<class Move>
-void predict(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& models, float dt, const Move& move)
+void predict(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& models, scalar dt, const Move& move)
 {
     predictPositions(liquid, dt);
     models.freeSurface->forget();
@@ -35,7 +35,7 @@ void predict(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& mo
 
 }
 
-void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, float dt)
+void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, scalar dt)
 {
     models.bodyForce->apply(liquid, dt);
     predict(liquid, near, walls, models, dt, [&]
@@ -58,7 +58,7 @@ void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, 
     models.particleShifting->apply(liquid, near, walls);
 }
 
-void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, float dt)
+void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, scalar dt)
 {
     if (!models.pressure->settles()) return;
     predict(liquid, near, walls, models, 0, [&] { models.freeSurface->search(liquid, near, walls); });

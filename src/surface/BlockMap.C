@@ -21,7 +21,7 @@ struct FarthestOfParticle
     HOST_DEVICE Farthest operator()(int i) const
     {
         const Vec3 p = positions[i];
-        return {fmaxf(fmaxf(fabsf(p.x), fabsf(p.y)), fabsf(p.z))};
+        return {fmax(fmax(fabs(p.x), fabs(p.y)), fabs(p.z))};
     }
 };
 
@@ -35,7 +35,7 @@ struct CollectKeys
     static constexpr std::uint64_t free = ~std::uint64_t(0);
 
     BlockMapView map;
-    float reach, most;                          // most: a coordinate that is too far
+    scalar reach, most;                         // most: a coordinate that is too far
     Span<const Vec3> positions;
     Span<std::uint64_t> table;                  // 2^bits places
     int bits;
@@ -46,8 +46,8 @@ struct CollectKeys
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 p = positions[i];
-        if (fabsf(p.x) >= most || fabsf(p.y) >= most || fabsf(p.z) >= most) count[farParticles] = 1;
-        if (!(fabsf(p.x) < most && fabsf(p.y) < most && fabsf(p.z) < most)) return;     // no number is nowhere
+        if (fabs(p.x) >= most || fabs(p.y) >= most || fabs(p.z) >= most) count[farParticles] = 1;
+        if (!(fabs(p.x) < most && fabs(p.y) < most && fabs(p.z) < most)) return;     // no number is nowhere
         const int lowX = map.blockAt(p.x - reach), alongX = map.blockAt(p.x + reach) - lowX + 1;
         const int lowY = map.blockAt(p.y - reach), alongY = map.blockAt(p.y + reach) - lowY + 1;
         const int lowZ = map.blockAt(p.z - reach), alongZ = map.blockAt(p.z + reach) - lowZ + 1;
@@ -95,15 +95,15 @@ struct FindNext
 
 }
 
-BlockMap::BlockMap(float cell, float reach)
+BlockMap::BlockMap(scalar cell, scalar reach)
 :
-    cell_(cell), reach_(fminf(reach, BlockMapView::edge * cell)),
+    cell_(cell), reach_(fmin(reach, BlockMapView::edge * cell)),
     farthest_(cell * BlockMapView::edge * (BlockMapView::farthest - 2)), counts_(counts)
 {}
 
 void BlockMap::refuseFarParticles(Span<const Vec3> positions)
 {
-    const float farthest = reduce(positions.size, FarthestOfParticle{positions}, scratch_).coordinate;
+    const scalar farthest = reduce(positions.size, FarthestOfParticle{positions}, scratch_).coordinate;
     throw FatalError
     (
         "A particle is " + std::to_string(long(farthest / cell_)) + " cells away from the origin, more than "

@@ -22,7 +22,7 @@ SurfaceFileControls fileControlsOf(const Dictionary& dict)
 
 }
 
-SurfaceParameters readSurfaceParameters(const std::filesystem::path& casePath, float spacing)
+SurfaceParameters readSurfaceParameters(const std::filesystem::path& casePath, scalar spacing)
 {
     const Dictionary dict = readSurfaceDict(casePath);
     const double cell = dict.lookupOr("cell", 0.5), support = dict.lookupOr("support", 2.0);
@@ -33,7 +33,7 @@ SurfaceParameters readSurfaceParameters(const std::filesystem::path& casePath, f
     {
         throw FatalInputError(dict.where("support"), "The support is out of range", "1 to 8 spacings");
     }
-    return {spacing, float(cell) * spacing, float(support) * spacing};
+    return {spacing, scalar(cell) * spacing, scalar(support) * spacing};
 }
 
 SurfaceFileControls readSurfaceFileControls(const std::filesystem::path& casePath)

@@ -15,13 +15,13 @@ namespace shizuku
 namespace
 {
 
-constexpr float wideSupport = 1.75f;        // of the second smoothing, supports of the first
-constexpr float meanSquares = 3.9f;         // of a triangle's sides, their sum, cells^2; by area, on a sphere
+constexpr scalar wideSupport = 1.75f;       // of the second smoothing, supports of the first
+constexpr scalar meanSquares = 3.9f;        // of a triangle's sides, their sum, cells^2; by area, on a sphere
 
 // V/S: scales the sum of W to 1 in liquid at rest.
-float volumeOf(float spacing, const CubicSpline& W)
+scalar volumeOf(scalar spacing, const CubicSpline& W)
 {
-    const float sum = latticeSum(spacing, W.h, [&W](float r) { return W.W(r); });
+    const scalar sum = latticeSum(spacing, W.h, [&W](scalar r) { return W.W(r); });
     return spacing * spacing * spacing / sum;
 }
 

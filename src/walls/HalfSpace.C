@@ -18,17 +18,17 @@ constexpr double pi = 3.14159265358979323846;
 HalfSpaceValues outside(const KernelChoice& kernel, double s)
 {
     const double h = supportOf(kernel);
-    const CohesionSpline C{float(h)};
+    const CohesionSpline C{scalar(h)};
     return std::visit
     (
         [&](const auto& W) -> HalfSpaceValues
         {
             return
             {
-                float(integrate(s, h, [&](double r) { return 2 * pi * r * (r - s) * W.W(float(r)); })),
-                float(integrate(s, h, [&](double r) { return -pi * (r * r - s * s) * W.g(float(r)) * r; })),
-                float(integrate(s, h, [&](double r) { return pi * (r * r - s * s) * C(float(r)); })),
-                float(integrate(s, h, [&](double r) { return -4 * pi * r * (r - s) * W.g(float(r)); }))
+                scalar(integrate(s, h, [&](double r) { return 2 * pi * r * (r - s) * W.W(scalar(r)); })),
+                scalar(integrate(s, h, [&](double r) { return -pi * (r * r - s * s) * W.g(scalar(r)) * r; })),
+                scalar(integrate(s, h, [&](double r) { return pi * (r * r - s * s) * C(scalar(r)); })),
+                scalar(integrate(s, h, [&](double r) { return -4 * pi * r * (r - s) * W.g(scalar(r)); }))
             };
         },
         kernel

@@ -26,7 +26,7 @@ struct FirstInside
 struct InsideSurface
 {
     WallSurfacesView surfaces;
-    float nearest;                  // distance that is far enough
+    scalar nearest;                 // distance that is far enough
     Span<const Vec3> position;
 
     HOST_DEVICE FirstInside operator()(int i) const

@@ -18,11 +18,11 @@ struct VirtualVolume
     Kernel W;
     CellGridView grid;
     Span<const Vec3> position;
-    Span<float> volume;
+    Span<scalar> volume;
 
     HOST_DEVICE void operator()(int k) const
     {
-        float sum = 0;
+        scalar sum = 0;
         grid.forEachCandidate(AroundPoint{position[k], W.h}, [&](int l) { sum += W.W(norm(position[k] - position[l])); });
         volume[k] = 1 / sum;
     }
@@ -34,7 +34,7 @@ SampledLayer::SampledLayer(const std::filesystem::path& casePath, const SourceLo
 :
     position_(solid_.fields().add<Vec3>({.name = "positions", .dimensions = dimensions::length, .restarted = true})),
     normal_(solid_.fields().add<Vec3>({.name = "normals", .dimensions = dimensions::none, .restarted = true})),
-    volume_(solid_.fields().add<float>({.name = "volume", .dimensions = dimensions::volume}))
+    volume_(solid_.fields().add<scalar>({.name = "volume", .dimensions = dimensions::volume}))
 {
     const auto folder = casePath / "constant/solid";
     if (!std::filesystem::exists(folder / "positions"))
@@ -54,12 +54,12 @@ SampledLayer::SampledLayer(const std::filesystem::path& casePath, const SourceLo
     computeVirtualVolumes(liquid);
 }
 
-void SampledLayer::sort(const Liquid& liquid, float support, float reach)
+void SampledLayer::sort(const Liquid& liquid, scalar support, scalar reach)
 {
     // A search reaches two cells at most, a little less than that.
     grid_.emplace(std::max(support, 0.501f * reach), reach);
     // Rows for a fifth more than what a flat layer, a triangular lattice, has within the support.
-    const float supports = support / liquid.spacing();
+    const scalar supports = support / liquid.spacing();
     near_.emplace(support, int(1.2f * 3.63f * supports * supports));
     reach_ = reach;
     const Buffer<std::uint32_t>& order = grid_->build(position_.span(), solid_.all());
@@ -84,31 +84,31 @@ void SampledLayer::hold(HeldDirections& held) const
     for (const Vec3& n : normal_.download()) held.hold(n);
 }
 
-void SampledLayer::requirePlanes(const Liquid& liquid, float reach)
+void SampledLayer::requirePlanes(const Liquid& liquid, scalar reach)
 {
     if (solid_.all() == 0) return;
     // From the layer, half a spacing inside of the solid, with room for the patch that gives the plane.
-    const float wanted = reach + 1.5f * liquid.spacing();
+    const scalar wanted = reach + 1.5f * liquid.spacing();
     // Particles move, by less than half a spacing, after the lists are made.
-    const float support = liquid.support() + 0.5f * liquid.spacing();
+    const scalar support = liquid.support() + 0.5f * liquid.spacing();
     if (wanted > reach_) sort(liquid, support, wanted);
     planes_.emplace(grid_->view(), reach_);
 }
 
-void SampledLayer::useCosines(const std::vector<float>& cosines)
+void SampledLayer::useCosines(const std::vector<scalar>& cosines)
 {
-    if (!cosTheta_) cosTheta_ = &solid_.fields().add<float>({.name = "cosTheta", .dimensions = dimensions::none});
+    if (!cosTheta_) cosTheta_ = &solid_.fields().add<scalar>({.name = "cosTheta", .dimensions = dimensions::none});
     const auto order = order_.download();
-    std::vector<float> sorted(order.size());
+    std::vector<scalar> sorted(order.size());
     for (std::size_t k = 0; k < sorted.size(); ++k) sorted[k] = cosines[order[k]];
     cosTheta_->upload(sorted);
 }
 
-std::vector<float> SampledLayer::cosines() const
+std::vector<scalar> SampledLayer::cosines() const
 {
     const auto order = order_.download();
     const auto sorted = cosTheta_->download();
-    std::vector<float> cosines(sorted.size());
+    std::vector<scalar> cosines(sorted.size());
     for (std::size_t k = 0; k < sorted.size(); ++k) cosines[order[k]] = sorted[k];
     return cosines;
 }
@@ -140,7 +140,7 @@ WallParticlesView SampledLayer::view() const
     return
     {
         near_->view(), position_.span(), normal_.span(), volume_.span(),
-        cosTheta_ ? Span<const float>(cosTheta_->span()) : Span<const float>{}
+        cosTheta_ ? Span<const scalar>(cosTheta_->span()) : Span<const scalar>{}
     };
 }
 

@@ -33,55 +33,55 @@ struct FindAround
 
 struct FitPlane
 {
-    float spacing, listed, reach;           // listed: up to which distance the lists know
+    scalar spacing, listed, reach;          // listed: up to which distance the lists know
     Span<const Vec3> x;
     CellGridView grid;                      // of the solid particles
     Span<const std::uint8_t> around;        // FindAround
     WallParticlesView solid;
     Span<Vec3> normal;
-    Span<float> offset, cosTheta;
+    Span<scalar> offset, cosTheta;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 xi = x[i];
-        const float most = reach * reach;
-        float nearest = most;
-        const auto come = [&](int k) { nearest = fminf(nearest, squared(xi - solid.position[k])); };
+        const scalar most = reach * reach;
+        scalar nearest = most;
+        const auto come = [&](int k) { nearest = fmin(nearest, squared(xi - solid.position[k])); };
         solid.near.forEach(i, come, team);
         nearest = team.min(nearest);
         if (nearest == most && around[int(grid.key(xi))]) grid.forEachCandidate(AroundPoint{xi, reach}, come, team);
         nearest = team.min(nearest);
         Vec3 direction, from;
-        float along = 0, cosine = 0, total = 0;
+        scalar along = 0, cosine = 0, total = 0;
         const auto add = [&](int k)
         {
             const Vec3 r = xi - solid.position[k];
-            const float w = 1 - (squared(r) - nearest) / (4 * spacing * spacing);
+            const scalar w = 1 - (squared(r) - nearest) / (4 * spacing * spacing);
             if (w <= 0 || squared(r) >= most) return;
-            const float weight = w * w;
+            const scalar weight = w * w;
             total += weight;
             direction += weight * solid.normal[k];
             from += weight * r;
             along += weight * dot(solid.normal[k], r);
             cosine += weight * (solid.cosTheta.size > 0 ? solid.cosTheta[k] : 0);
         };
-        const float within = nearest + 4 * spacing * spacing;
+        const scalar within = nearest + 4 * spacing * spacing;
         if (within <= listed * listed) solid.near.forEach(i, add, team);
-        else if (nearest < most) grid.forEachCandidate(AroundPoint{xi, sqrtf(fminf(within, most))}, add, team);
+        else if (nearest < most) grid.forEachCandidate(AroundPoint{xi, sqrt(fmin(within, most))}, add, team);
         total = team.sum(total);
         direction = team.sum(direction);
         from = team.sum(from);
         along = team.sum(along);
         cosine = team.sum(cosine);
         if (!team.first()) return;
-        const float length = norm(direction);
+        const scalar length = norm(direction);
         normal[i] = {0, 0, 1};
         offset[i] = WallPlanesView::nowhere;
         cosTheta[i] = 0;
         if (total == 0 || length < 1e-6f * total) return;
 
         const Vec3 n = (1 / length) * direction;
-        const float height = (along + dot(n, from)) / (total + length);
+        const scalar height = (along + dot(n, from)) / (total + length);
         if (nearest - height * height > 2.25f * spacing * spacing) return;
         normal[i] = n;
         offset[i] = dot(n, xi) - (height - 0.5f * spacing);
@@ -91,12 +91,12 @@ struct FitPlane
 
 }
 
-TangentPlanes::TangentPlanes(const CellGridView& grid, float reach) : reach_(reach), around_(grid.start.size - 1)
+TangentPlanes::TangentPlanes(const CellGridView& grid, scalar reach) : reach_(reach), around_(grid.start.size - 1)
 {
     forEach(around_.size(), FindAround{grid, reach > grid.cellSize ? 2 : 1, around_.span()});
 }
 
-void TangentPlanes::fit(const Liquid& liquid, const CellGridView& grid, const WallParticlesView& solid, float listed)
+void TangentPlanes::fit(const Liquid& liquid, const CellGridView& grid, const WallParticlesView& solid, scalar listed)
 {
     normal_.resizeDiscarding(liquid.all());
     offset_.resizeDiscarding(liquid.all());

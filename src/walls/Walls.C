@@ -20,13 +20,13 @@ namespace
 {
 
 // theta in degrees
-float cosine(double theta)
+scalar cosine(double theta)
 {
     constexpr double degree = 3.14159265358979323846 / 180;
-    return float(std::cos(theta * degree));
+    return scalar(std::cos(theta * degree));
 }
 
-float cosineOf(double theta, const SourceLocation& where)
+scalar cosineOf(double theta, const SourceLocation& where)
 {
     if (theta >= 0 && theta <= 180) return cosine(theta);
     std::ostringstream text;
@@ -36,7 +36,7 @@ float cosineOf(double theta, const SourceLocation& where)
 
 Vec3 scaled(const Vector3& v, double unit)
 {
-    return {float(v.x / unit), float(v.y / unit), float(v.z / unit)};
+    return {scalar(v.x / unit), scalar(v.y / unit), scalar(v.z / unit)};
 }
 
 WallSurface curvedOrPlane(const AnalyticSurface& surface, double unit)
@@ -46,7 +46,7 @@ WallSurface curvedOrPlane(const AnalyticSurface& surface, double unit)
         : surface.type == Type::sphere ? WallSurface::sphere : WallSurface::cylinder;
     return
     {
-        type, scaled(surface.point, unit), scaled(surface.direction, 1), float(surface.radius / unit),
+        type, scaled(surface.point, unit), scaled(surface.direction, 1), scalar(surface.radius / unit),
         surface.liquidInside ? -1.0f : 1.0f, 0
     };
 }
@@ -110,7 +110,7 @@ Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liqu
     dict_.refuseUnused();
 }
 
-void Walls::requireContacts(const Liquid& liquid, float reach)
+void Walls::requireContacts(const Liquid& liquid, scalar reach)
 {
     if (layer_) layer_->requirePlanes(liquid, reach);
 }
@@ -121,7 +121,7 @@ bool Walls::oneContactAngle() const
     return largest - smallest < 0.01;                       // degrees
 }
 
-std::pair<double, double> Walls::contactAngles(float reach) const
+std::pair<double, double> Walls::contactAngles(scalar reach) const
 {
     constexpr double degree = 3.14159265358979323846 / 180;
     double tilt = 0;
@@ -135,7 +135,7 @@ std::pair<double, double> Walls::contactAngles(float reach) const
         return std::pair{std::max(least - tilt, 0.0), std::min(most + tilt, 180.0)};
     };
     if (!angles_) return widened(90, 90);
-    std::vector<float> cosines;
+    std::vector<scalar> cosines;
     if (layer_) cosines = layer_->cosines();
     for (int a = 0; a < surfaces_.count; ++a) cosines.push_back(surfaces_.surface[a].cosTheta);
     if (cosines.empty()) return widened(90, 90);

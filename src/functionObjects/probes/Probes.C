@@ -46,14 +46,14 @@ struct Weighted
     Kernel W;
     Vec3 point;
     Span<const Vec3> position, velocity;
-    Span<const float> density, pressure;       // pressure: may be empty
+    Span<const scalar> density, pressure;      // pressure: may be empty
 
     HOST_DEVICE ProbeSums operator()(int j) const
     {
         ProbeSums sums;
-        const float W_j = W.W(norm(point - position[j]));
+        const scalar W_j = W.W(norm(point - position[j]));
         if (W_j == 0) return sums;
-        const float weight = W_j / density[j];
+        const scalar weight = W_j / density[j];
         sums.fill = W_j;
         sums.weight = weight;
         sums.density = weight * density[j];
@@ -147,7 +147,7 @@ private:
                     Weighted<Kernel>
                     {
                         W, point, liquid.position.span(), liquid.velocity.span(), liquid.density.span(),
-                        pressure_ ? pressure_->span() : Span<const float>{}
+                        pressure_ ? pressure_->span() : Span<const scalar>{}
                     },
                     scratch_
                 );
@@ -160,7 +160,7 @@ private:
     SourceLocation where_;
     std::vector<std::array<double, 3>> places_;         // m
     CsvFile table_;
-    const Buffer<float>* pressure_ = nullptr;
+    const Buffer<scalar>* pressure_ = nullptr;
     Buffer<ProbeSums> scratch_;
 };
 

@@ -10,7 +10,7 @@ template<class Kernel>
 struct StoreDensity
 {
     DensityOf<Kernel> densityOf;
-    Span<float> density;
+    Span<scalar> density;
 
     HOST_DEVICE void operator()(int i) const { density[i] = densityOf(i); }
 };

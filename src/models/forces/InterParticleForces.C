@@ -15,22 +15,22 @@ InterParticleForces::InterParticleForces(const Dictionary& models, Liquid& liqui
     wetting_(Wetting::New(models, liquid, walls, *tension_))
 {}
 
-void InterParticleForces::applyBeforeIterations(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt)
+void InterParticleForces::applyBeforeIterations(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
 {
     if (!everyIteration_) apply(liquid, near, walls, dt);
 }
 
-void InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt)
+void InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
 {
     if (everyIteration_) apply(liquid, near, walls, dt);
 }
 
-InternalDisplacement InterParticleForces::takeDisplacement(float dt)
+InternalDisplacement InterParticleForces::takeDisplacement(scalar dt)
 {
     return {std::move(acceleration_), dt * dt};
 }
 
-void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt)
+void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
 {
     if (!active()) return;
     tension_->begin(dt);

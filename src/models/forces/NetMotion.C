@@ -23,9 +23,9 @@ namespace
 struct SumsOfParticle
 {
     Span<const Vec3> position, pressure, forces;        // either of the displacements may be empty
-    float ofPressure, ofForces;                         // their scales
+    scalar ofPressure, ofForces;                        // their scales
     WallView walls;
-    float reach;
+    scalar reach;
 
     HOST_DEVICE NetMotion::Sums operator()(int i) const
     {
@@ -58,7 +58,7 @@ struct FindMotion
     }
 
 private:
-    HOST_DEVICE Vec3 mean(const double* of) const { return {float(of[0] / n), float(of[1] / n), float(of[2] / n)}; }
+    HOST_DEVICE Vec3 mean(const double* of) const { return {scalar(of[0] / n), scalar(of[1] / n), scalar(of[2] / n)}; }
 
     // The turn whose angular momentum is that of the sums, about their centroid. None where the liquid is as thin as a line.
     HOST_DEVICE Vec3 turn(const NetMotion::Sums& all, const HeldDirections& held) const
@@ -74,21 +74,21 @@ private:
         const double xy = all.xy[0] - x[0] * x[1] / n, yz = all.xy[1] - x[1] * x[2] / n, zx = all.xy[2] - x[2] * x[0] / n;
         const double trace = xx + yy + zz;
         if (!(trace > 0)) return {};
-        const Vec3 a = 1 / float(trace) * vec(yy + zz, -xy, -zx), b = 1 / float(trace) * vec(-xy, xx + zz, -yz),
-            c = 1 / float(trace) * vec(-zx, -yz, xx + yy);
-        const float determinant = dot(a, cross(b, c));
+        const Vec3 a = 1 / scalar(trace) * vec(yy + zz, -xy, -zx), b = 1 / scalar(trace) * vec(-xy, xx + zz, -yz),
+            c = 1 / scalar(trace) * vec(-zx, -yz, xx + yy);
+        const scalar determinant = dot(a, cross(b, c));
         if (!(determinant > 1e-6f)) return {};
         const Vec3 adjugate = vec(dot(momentum, cross(b, c)), dot(momentum, cross(c, a)), dot(momentum, cross(a, b)));
-        return held.freeTurn(1 / (float(trace) * determinant) * adjugate);
+        return held.freeTurn(1 / (scalar(trace) * determinant) * adjugate);
     }
 
-    HOST_DEVICE static Vec3 vec(double a, double b, double c) { return {float(a), float(b), float(c)}; }
+    HOST_DEVICE static Vec3 vec(double a, double b, double c) { return {scalar(a), scalar(b), scalar(c)}; }
 };
 
 struct MoveBack
 {
     Span<const NetMotion::Motion> motion;
-    float perStep;
+    scalar perStep;
     Span<Vec3> position, velocity;
 
     HOST_DEVICE void operator()(int i) const
@@ -105,7 +105,7 @@ struct MoveBack
 void NetMotion::takeBack
 (
     Liquid& liquid, const InternalDisplacement& pressure, const InternalDisplacement& forces, const Walls& walls,
-    float reach, float dt
+    scalar reach, scalar dt
 )
 {
     const int n = liquid.owned();

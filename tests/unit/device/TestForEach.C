@@ -29,7 +29,7 @@ struct TimesThreePlus
 
 struct Sums
 {
-    float numbers, squares, least;
+    scalar numbers, squares, least;
 };
 
 // Of 0, 1, ... i mod 40, and those among them that three divides, in their order.
@@ -44,8 +44,8 @@ struct TakeTurns
         Sums own{0, 0, 0};
         for (int k = team.lane; k < end; k += team.width) 
         {
-            const float less = float(k % 11 - k);
-            own = {own.numbers + float(k), own.squares + float(k * k), less < own.least ? less : own.least};
+            const scalar less = scalar(k % 11 - k);
+            own = {own.numbers + scalar(k), own.squares + scalar(k * k), less < own.least ? less : own.least};
         }
         own = {team.sum(own.numbers), team.sum(own.squares), team.min(own.least)};
         if (team.first()) 
@@ -69,22 +69,22 @@ struct TakeTurns
 struct TakeTogether
 {
     Span<int> visits;
-    Span<float> sums, least, at;
+    Span<scalar> sums, least, at;
 
     HOST_DEVICE void operator()(Group group, Team team) const
     {
-        float values[Group::most] = {};
+        scalar values[Group::most] = {};
         for (int p = 0; p < Group::most; ++p)
         {
-            for (int k = team.lane; k < 40; k += team.width) values[p] += float(k * group[p]);
+            for (int k = team.lane; k < 40; k += team.width) values[p] += scalar(k * group[p]);
         }
         Team::Least nearest{1e9f, 1e9f};
         for (int k = team.lane; k < 12; k += team.width)
         {
-            const float distance = fabsf(float(5 * k - group.first % 60));
-            if (distance < nearest.value) nearest = {distance, float(k)};
+            const scalar distance = fabs(scalar(5 * k - group.first % 60));
+            if (distance < nearest.value) nearest = {distance, scalar(k)};
         }
-        const float sum = team.sums(values);
+        const scalar sum = team.sums(values);
         nearest = team.least(nearest);
         const bool any = team.any(team.lane == group.first % team.width), none = team.any(team.lane < 0);
         if (team.lane >= group.size) return;
@@ -116,9 +116,9 @@ void expectTurns(const TurnsTaken& turns, int i, bool visited)
     const Sums sum = turns.sums.download()[i];
     const std::vector<int> multiples = turns.multiples.download();
     const int last = visited ? i % 40 : 0;
-    ASSERT_EQ(sum.numbers, float(last * (last + 1) / 2)) << i;
-    ASSERT_EQ(sum.squares, float(last * (last + 1) * (2 * last + 1) / 6)) << i;
-    ASSERT_EQ(sum.least, float(-(last / 11 * 11))) << i;
+    ASSERT_EQ(sum.numbers, scalar(last * (last + 1) / 2)) << i;
+    ASSERT_EQ(sum.squares, scalar(last * (last + 1) * (2 * last + 1) / 6)) << i;
+    ASSERT_EQ(sum.least, scalar(-(last / 11 * 11))) << i;
     for (int k = 0; k < 14; ++k) ASSERT_EQ(multiples[14 * i + k], 3 * k <= last ? 3 * k : 0) << i;
 }
 
@@ -197,7 +197,7 @@ TEST(ForEachGroup, VisitsEachIndexOnce)
     for (const int n : {1, 3, 4, 5, 1000, 300001})
     {
         Buffer<int> visits(n + 1);
-        Buffer<float> sums(n + 1), least(n + 1), at(n + 1);
+        Buffer<scalar> sums(n + 1), least(n + 1), at(n + 1);
         visits.setZero();
         forEachGroup(n, TakeTogether{visits.span(), sums.span(), least.span(), at.span()});
         const auto visited = visits.download();
@@ -208,9 +208,9 @@ TEST(ForEachGroup, VisitsEachIndexOnce)
             ASSERT_EQ(visited[i], 1) << i << " of " << n;
             const int first = i / Group::most * Group::most % 60, below = std::min(first / 5, 11);
             const int k = below < 11 && 5 * (below + 1) - first < first - 5 * below ? below + 1 : below;
-            ASSERT_EQ(nearest[i], float(std::abs(5 * k - first))) << i << " of " << n;
-            ASSERT_EQ(where[i], float(k)) << i << " of " << n;
-            if (i < 20000) ASSERT_EQ(sum[i], float(780 * i)) << i << " of " << n;       // below 2^24: exact in any order
+            ASSERT_EQ(nearest[i], scalar(std::abs(5 * k - first))) << i << " of " << n;
+            ASSERT_EQ(where[i], scalar(k)) << i << " of " << n;
+            if (i < 20000) ASSERT_EQ(sum[i], scalar(780 * i)) << i << " of " << n;      // below 2^24: exact in any order
         }
     }
 }
@@ -226,7 +226,7 @@ TEST(ForEachGroup, VisitsEachPlaceOfASelectionOnce)
         Selection selection;
         select(Buffer<std::uint8_t>(chosen), selection);
         Buffer<int> visits(n + 1);
-        Buffer<float> sums(n + 1), least(n + 1), at(n + 1);
+        Buffer<scalar> sums(n + 1), least(n + 1), at(n + 1);
         visits.setZero();
         forEachGroup(selection, TakeTogether{visits.span(), sums.span(), least.span(), at.span()});
         const auto visited = visits.download();
@@ -236,11 +236,11 @@ TEST(ForEachGroup, VisitsEachPlaceOfASelectionOnce)
 
 TEST(Gather, TakesElementsInTheGivenOrder)
 {
-    const Buffer<float> from(std::vector<float>{10, 11, 12, 13});
+    const Buffer<scalar> from(std::vector<scalar>{10, 11, 12, 13});
     const Buffer<std::uint32_t> order(std::vector<std::uint32_t>{3, 0, 0, 2, 1});
-    Buffer<float> to;
+    Buffer<scalar> to;
     gather(from, order, to);
-    EXPECT_EQ(to.download(), (std::vector<float>{13, 10, 10, 12, 11}));
+    EXPECT_EQ(to.download(), (std::vector<scalar>{13, 10, 10, 12, 11}));
 }
 
 // More loops than go to a GPU at once, with other arguments each time, and with waits in between.

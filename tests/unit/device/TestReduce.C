@@ -21,16 +21,16 @@ struct Squares
     HOST_DEVICE LongSum operator()(int i) const { return {long(i) * i}; }
 };
 
-struct FloatSum
+struct ScalarSum
 {
-    float value = 0;
-    HOST_DEVICE void add(const FloatSum& other) { value += other.value; }
+    scalar value = 0;
+    HOST_DEVICE void add(const ScalarSum& other) { value += other.value; }
 };
 
-struct ReadFloat
+struct ReadScalar
 {
-    Span<const float> values;
-    HOST_DEVICE FloatSum operator()(int i) const { return {values[i]}; }
+    Span<const scalar> values;
+    HOST_DEVICE ScalarSum operator()(int i) const { return {values[i]}; }
 };
 
 int widthOf([[maybe_unused]] int sums)
@@ -43,13 +43,13 @@ int widthOf([[maybe_unused]] int sums)
 }
 
 // The order that device/Reduce.H fixes, one addition after the other.
-std::vector<float> fold(const std::vector<float>& values, int sums)
+std::vector<scalar> fold(const std::vector<scalar>& values, int sums)
 {
     const int n = int(values.size()), width = widthOf(sums), share = (n + sums * width - 1) / (sums * width);
-    std::vector<float> result;
+    std::vector<scalar> result;
     for (int c = 0; c < sums; ++c)
     {
-        std::vector<float> lane(width, 0);
+        std::vector<scalar> lane(width, 0);
         for (int l = 0; l < width; ++l)
         {
             for (int k = 0; k < share; ++k)
@@ -79,28 +79,28 @@ TEST(Reduce, SumsIntegersExactly)
     }
 }
 
-// Floats of very different size, whose sum depends on the order of additions: same bits on any number of threads. By one pass,
+// Scalars of very different size, whose sum depends on the order of additions: same bits on any number of threads. By one pass,
 // and by two.
 TEST(Reduce, GivesTheSameBitsOnAnyNumberOfThreads)
 {
     RandomNumbers random(7);
     for (const auto [n, sums] : {std::pair{20011, device::fewSums}, std::pair{200011, 24 * device::fewSums}})
     {
-        std::vector<float> values(n);
-        for (float& v : values) v = std::exp(random(-12, 12)) * (random(0, 1) < 0.5f ? -1.0f : 1.0f);
+        std::vector<scalar> values(n);
+        for (scalar& v : values) v = std::exp(random(-12, 12)) * (random(0, 1) < 0.5f ? -1.0f : 1.0f);
         EXPECT_EQ(device::sumsFor(n), sums);
-        std::vector<float> few = fold(values, sums);
+        std::vector<scalar> few = fold(values, sums);
         if (sums > device::fewSums) few = fold(few, device::fewSums);
-        float expected = 0;
-        for (const float part : few) expected += part;
+        scalar expected = 0;
+        for (const scalar part : few) expected += part;
 
-        const Buffer<float> buffer(values);
-        Buffer<FloatSum> scratch, sum;
+        const Buffer<scalar> buffer(values);
+        Buffer<ScalarSum> scratch, sum;
         for (const int threads : {1, 2, 3, 7})
         {
             const UseThreads use(threads);
-            EXPECT_EQ(reduce(n, ReadFloat{buffer.span()}, scratch).value, expected) << threads << " threads";
-            reduce(n, ReadFloat{buffer.span()}, scratch, sum);
+            EXPECT_EQ(reduce(n, ReadScalar{buffer.span()}, scratch).value, expected) << threads << " threads";
+            reduce(n, ReadScalar{buffer.span()}, scratch, sum);
             EXPECT_EQ(sum.download().at(0).value, fold(few, 1).at(0)) << threads << " threads";
         }
     }

@@ -29,7 +29,7 @@ public:
 
     WedgeIntegrals operator()(double theta, double z, double s) const
     {
-        return view_(float(theta * degree), float(z), float(s));
+        return view_(scalar(theta * degree), scalar(z), scalar(s));
     }
 
 private:
@@ -155,7 +155,7 @@ TYPED_TEST(ExtendedLiquidOf, DeepInsideIsTheWholeHalfSpace)
             for (const double s : {1.0, 1.8})
             {
                 const auto wedge = this->table(theta, z, s);
-                const auto whole = halfSpace(float(z));
+                const auto whole = halfSpace(scalar(z));
                 // The midpoint rule of 48 intervals.
                 EXPECT_NEAR(wedge.value, whole.density, 5e-4) << theta << " " << z;
                 EXPECT_NEAR(wedge.normal, -whole.gradient, 1e-3 * halfSpace(0).gradient) << theta << " " << z;
@@ -187,7 +187,7 @@ TYPED_TEST(ExtendedLiquidOf, IsEmptyAt180DegreesAndFullAtZero)
         }
         for (const double s : {-z, 0.0, 0.5})
         {
-            EXPECT_NEAR(full(0, z, s).value, halfSpace(float(z)).density, 5e-4) << z << " " << s;
+            EXPECT_NEAR(full(0, z, s).value, halfSpace(scalar(z)).density, 5e-4) << z << " " << s;
         }
     }
 }
@@ -206,7 +206,7 @@ TYPED_TEST(ExtendedLiquidOf, MakesAPlanarInterfaceLookPlanar)
             {
                 const Sums liquid = bruteForce<TypeParam>(theta, z, s, Side::liquid);
                 const auto wall = this->table(theta, z, s);
-                const auto whole = plane(float(s));
+                const auto whole = plane(scalar(s));
                 const double gradient = 5e-4 * plane(0).gradient;
                 EXPECT_NEAR(liquid.value + wall.value, 1 - whole.density, 5e-4) << theta << " " << s << " " << z;
                 EXPECT_NEAR(liquid.tangential + wall.tangential, -whole.gradient * std::sin(theta * degree), gradient)

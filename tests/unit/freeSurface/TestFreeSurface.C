@@ -62,24 +62,24 @@ TEST(FreeSurface, FindsRoomWhenItGrows)
 // depth.
 TEST(FreeSurface, OfALatticeHalfSpaceIsPlanar)
 {
-    for (const float apart : {1.0f, 1.06f})
+    for (const scalar apart : {1.0f, 1.06f})
     {
         LiquidCase drop;
         drop.surface.require(drop.liquid, drop.walls, 4, 0);
-        const float d = drop.liquid.spacing(), h = drop.surface.support();
+        const scalar d = drop.liquid.spacing(), h = drop.surface.support();
         EXPECT_FLOAT_EQ(h, 4 * d);
         const auto points = latticeBlock(11, 11, 10, apart, {-5 * apart, -5 * apart, -9.5f * apart});
         drop.place(points);
         const auto surface = surfaceStates(drop);
         const auto table = tabulateHalfSpace(drop.surface.kernel());
         const HalfSpaceView plane{{table.data(), int(table.size())}, h};
-        const float steepest = plane(0).gradient, dilution = 1 / (apart * apart * apart);
+        const scalar steepest = plane(0).gradient, dilution = 1 / (apart * apart * apart);
         EXPECT_FLOAT_EQ(drop.surface.steepest(), steepest);
         for (std::size_t i = 0; i < points.size(); ++i)
         {
             const Vec3 x = points[i], G = surface[i].gradient;
             if (x.x != 0 || x.y != 0 || x.z < -5) continue;
-            const float s = -x.z * d;
+            const scalar s = -x.z * d;
             EXPECT_NEAR(-G.z, dilution * plane(s).gradient, (s < 2 * d ? 0.03f : 0.06f) * steepest) << x.z;
             EXPECT_NEAR(std::hypot(G.x, G.y), 0, 1e-5f * steepest) << x.z;         // roundings of 270 terms
             if (s < 2 * d)
@@ -103,7 +103,7 @@ TEST(FreeSurface, IsNotLessThanHalfASpacingAway)
     auto points = latticeBall(4);
     points.push_back({5.5f, 0, 0});
     drop.place(points);
-    const float d = drop.liquid.spacing();
+    const scalar d = drop.liquid.spacing();
     const auto surface = surfaceStates(drop);
     for (const SurfaceState& state : surface) EXPECT_GE(state.depth, 0.5f * d * (1 - 1e-6f));
     EXPECT_FLOAT_EQ(surface.back().depth, 0.5f * d);
@@ -121,21 +121,21 @@ TEST(FreeSurface, OfAWedgeAtItsContactAngleIsThatOfAHalfSpace)
         drop.surface.require(drop.liquid, drop.walls, 4, 0);
         const auto points = latticeWedge(theta, 10, 11, 10);
         drop.place(points);
-        const float d = drop.liquid.spacing(), h = drop.surface.support();
+        const scalar d = drop.liquid.spacing(), h = drop.surface.support();
         const auto table = tabulateHalfSpace(drop.surface.kernel());
         const HalfSpaceView plane{{table.data(), int(table.size())}, h};
         const auto surface = surfaceStates(drop);
-        const Vec3 m{float(std::sin(theta * degree)), 0, float(std::cos(theta * degree))};
+        const Vec3 m{scalar(std::sin(theta * degree)), 0, scalar(std::cos(theta * degree))};
         int compared = 0;
         for (std::size_t i = 0; i < points.size(); ++i)
         {
             const Vec3 x = points[i], G = surface[i].gradient;
-            const float s = -dot(x, m);
+            const scalar s = -dot(x, m);
             if (std::abs(x.y) > 0.1f || x.z > 5 || s > 1.5f) continue;
             ++compared;
             EXPECT_GT(-dot(G, m) / norm(G), std::cos(4.5 * degree)) << theta << " " << x.z << " " << s;
             EXPECT_NEAR(norm(G), plane(s * d).gradient, 0.07f * plane(0).gradient) << theta << " " << x.z << " " << s;
-            EXPECT_NEAR(surface[i].depth, std::max(s, 0.5f) * d, 0.15f * d) << theta << " " << x.z << " " << s;
+            EXPECT_NEAR(surface[i].depth, std::max(s, scalar(0.5)) * d, 0.15f * d) << theta << " " << x.z << " " << s;
             const ContactLine line = surface[i].contact;
             EXPECT_EQ(line.wall, x.z < 4 ? 0 : -1);
             if (line.wall < 0) continue;
@@ -159,7 +159,7 @@ TEST(FreeSurface, MeetsACurvedWallAtTheAngleOfItsContactLine)
                          .wettability = "ball { theta " + std::to_string(theta) + "; }"});
         drop.walls.requireContactAngles();
         drop.surface.require(drop.liquid, drop.walls, 4, 0);
-        const Vec3 m{float(std::sin(theta * degree)), 0, float(std::cos(theta * degree))}, centre{0, 0, -20};
+        const Vec3 m{scalar(std::sin(theta * degree)), 0, scalar(std::cos(theta * degree))}, centre{0, 0, -20};
         std::vector<Vec3> points;
         for (const Vec3 p : latticeBlock(26, 17, 18, 1, {-17.5f, -8, -7.5f}))
         {
@@ -191,7 +191,7 @@ TEST(FreeSurface, IsNotInACornerFullOfLiquid)
     drop.surface.require(drop.liquid, drop.walls, 4, 0);
     const auto points = latticeBlock(10, 11, 10, 1, {0.5f, -5, 0.5f});
     drop.place(points);
-    const float d = drop.liquid.spacing();
+    const scalar d = drop.liquid.spacing();
     const auto surface = surfaceStates(drop);
     for (std::size_t i = 0; i < points.size(); ++i)
     {

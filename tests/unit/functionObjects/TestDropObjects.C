@@ -62,7 +62,7 @@ TEST(Volume, IsTheMeshsAndTheParticles)
 
     // Three particles on their own.
     auto splashed = halfBall();
-    for (const float x : {15.0f, 20.0f, 25.0f}) splashed.push_back({x, 0, 5});
+    for (const scalar x : {15.0f, 20.0f, 25.0f}) splashed.push_back({x, 0, 5});
     FlowCase spray("size { type volume; spray yes; }", onAPlane);
     spray.step(splashed);
     EXPECT_TRUE(spray.table(table).starts_with("time [s],volume [m3],spray [m3],particleVolume [m3],crowded [m3],drift [%]\n"));

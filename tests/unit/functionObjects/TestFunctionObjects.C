@@ -11,7 +11,7 @@ TEST(FunctionObjects, LiquidStateMeasuresTheDensityOfItsRow)
     FlowCase flow("drop { type liquidState; }");
     const auto lastError = [&] { return flow.value("drop/0/liquidState.csv", "maxDensityError"); };
     std::vector<Vec3> crowd;
-    for (int i = 0; i < 1000; ++i) crowd.push_back({0.7f * float(i % 10), 0.7f * float(i / 10 % 10), 0.7f * float(i / 100)});
+    for (int i = 0; i < 1000; ++i) crowd.push_back({0.7f * scalar(i % 10), 0.7f * scalar(i / 10 % 10), 0.7f * scalar(i / 100)});
     flow.step(crowd);
     // A cubic lattice of 0.7 spacings holds 1/0.343 = 2.9 times the particles; the kernel's sum is near that.
     EXPECT_NEAR(lastError(), 1.9, 0.1);

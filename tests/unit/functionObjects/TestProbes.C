@@ -14,7 +14,7 @@ std::vector<Vec3> cube()
     std::vector<Vec3> places;
     for (int i = 0; i < 12*12*12; ++i)
     {
-        places.push_back({float(i % 12) - 5.5f, float(i / 12 % 12) - 5.5f, float(i / 144) - 5.5f});
+        places.push_back({scalar(i % 12) - 5.5f, scalar(i / 12 % 12) - 5.5f, scalar(i / 144) - 5.5f});
     }
     return places;
 }

@@ -19,7 +19,7 @@ int endAsked(const std::string& condition, const std::vector<double>& speeds)
     for (std::size_t step = 0; step < speeds.size(); ++step)
     {
         // Two particles, the second one at rest: the rms speed is the largest over sqrt(2).
-        flow.step({{0, 0, 0}, {1, 0, 0}}, {{float(speeds[step]/unit), 0, 0}, {0, 0, 0}});
+        flow.step({{0, 0, 0}, {1, 0, 0}}, {{scalar(speeds[step]/unit), 0, 0}, {0, 0, 0}});
         if (!flow.reasonToEnd().empty()) return int(step) + 1;
     }
     return 0;
@@ -63,7 +63,7 @@ TEST(RunTimeControl, TheRmsSpeedIsOverTheCapillarySpeedOfTheVolume)
 {
     FlowCase flow("drop { type liquidState; }");
     const double unit = flow.liquid.units().of(dimensions::velocity);
-    flow.step({{0, 0, 0}, {1, 0, 0}}, {{float(0.3/unit), 0, 0}, {0, 0, 0}});
+    flow.step({{0, 0, 0}, {1, 0, 0}}, {{scalar(0.3/unit), 0, 0}, {0, 0, 0}});
     const std::string table = "drop/0/liquidState.csv";
     EXPECT_NEAR(flow.value(table, "rmsSpeed"), 0.3/std::sqrt(2), 1e-6);
     // sigma 0.072, rho 1000, and two particles of a cubic millimetre: a sphere of 0.7816 mm.

@@ -15,14 +15,14 @@ using namespace shizuku::test;
 namespace
 {
 
-constexpr float support = 1.7f;
+constexpr scalar support = 1.7f;
 
 template<class Kernel>
 struct EvaluateKernel
 {
     Kernel W;
-    Span<const float> r;
-    Span<float> value, factor;
+    Span<const scalar> r;
+    Span<scalar> value, factor;
 
     HOST_DEVICE void operator()(int i) const
     {
@@ -38,14 +38,14 @@ public:
     // Samples of W and g at n + 1 distances from 0 to beyond the support.
     explicit Kernel(int n = 3400)
     {
-        for (int i = 0; i <= n; ++i) r.push_back(1.25f * support * float(i) / float(n));
+        for (int i = 0; i <= n; ++i) r.push_back(1.25f * support * scalar(i) / scalar(n));
         evaluate();
     }
 
     void evaluate()
     {
-        const Buffer<float> distances(r);
-        Buffer<float> values(distances.size()), factors(distances.size());
+        const Buffer<scalar> distances(r);
+        Buffer<scalar> values(distances.size()), factors(distances.size());
         forEach(distances.size(), EvaluateKernel<Type>{W, distances.span(), values.span(), factors.span()});
         value = values.download();
         factor = factors.download();
@@ -53,7 +53,7 @@ public:
 
     const Type W{support};
     const Reference<Type> reference{support};
-    std::vector<float> r, value, factor;
+    std::vector<scalar> r, value, factor;
 };
 
 using Kernels = testing::Types<CubicSpline, Poly6Spiky, WendlandC2>;
@@ -80,8 +80,8 @@ TYPED_TEST(Kernel, IsPositiveInsideAndZeroFromTheSupportOn)
     }
     this->r = {support, 1.0001f * support, 2 * support, 1e6f};
     this->evaluate();
-    EXPECT_EQ(this->value, std::vector<float>(4, 0));
-    EXPECT_EQ(this->factor, std::vector<float>(4, 0));
+    EXPECT_EQ(this->value, std::vector<scalar>(4, 0));
+    EXPECT_EQ(this->factor, std::vector<scalar>(4, 0));
     EXPECT_EQ(this->W.h, support);
 }
 
@@ -104,10 +104,10 @@ TYPED_TEST(Kernel, IntegratesToOne)
 {
     constexpr double pi = std::numbers::pi;
     const auto& W = this->W;
-    const auto ofValue = [&](double r) { return 4 * pi * r * r * W.W(float(r)); };
+    const auto ofValue = [&](double r) { return 4 * pi * r * r * W.W(scalar(r)); };
     EXPECT_NEAR(integrate(0, support, 2000, ofValue), 1, 1e-6);
     // By parts: the kernel of the gradient has the integral -4 pi/3 int r^3 W' dr.
-    const auto ofGradient = [&](double r) { return -4 * pi / 3 * r * r * r * r * W.g(float(r)); };
+    const auto ofGradient = [&](double r) { return -4 * pi / 3 * r * r * r * r * W.g(scalar(r)); };
     EXPECT_NEAR(integrate(0, support, 2000, ofGradient), 1, 1e-6);
 }
 
@@ -116,7 +116,7 @@ TYPED_TEST(Kernel, HasNoGradientAtItsCentreAndOnALattice)
     const auto& W = this->W;
     EXPECT_TRUE(std::isfinite(W.g(0)));
     Vec3 sum;
-    float sizes = 0;
+    scalar sizes = 0;
     for (const Vec3 p : latticeBlock(9, 9, 9, 0.4f, {-1.6f, -1.6f, -1.6f}))
     {
         const Vec3 gradient = W.g(norm(p)) * p;

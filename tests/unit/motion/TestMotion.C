@@ -77,7 +77,7 @@ TEST(SpeedMeter, CountsWhatIsNotANumber)
 {
     LiquidCase drop;
     drop.liquid.resize(4);
-    const float bad = std::numeric_limits<float>::quiet_NaN(), far = std::numeric_limits<float>::infinity();
+    const scalar bad = std::numeric_limits<scalar>::quiet_NaN(), far = std::numeric_limits<scalar>::infinity();
     drop.liquid.position.upload({{0, bad, 0}, {0, 0, 0}, {far, 0, 0}, {1, 0, 0}});
     drop.liquid.velocity.upload({{0, 0, 0}, {0, 0, bad}, {0, 0, 0}, {0, 2, 0}});
     SpeedMeter meter;

@@ -20,13 +20,13 @@ using namespace shizuku::test;
 namespace
 {
 
-constexpr float support = 1.3f;
+constexpr scalar support = 1.3f;
 
 // Sorts `sources` by cell as every caller does, and lists their neighbours by the numbers they had before.
 std::vector<std::vector<int>> neighboursOf
 (
     const std::vector<Vec3>& points, const std::vector<Vec3>& sources, bool sameSet, NeighbourList& list,
-    float cellSize = support
+    scalar cellSize = support
 )
 {
     const Buffer<Vec3> unsorted(sources);
@@ -47,14 +47,14 @@ std::vector<std::vector<int>> neighboursOf
 
 std::vector<std::vector<int>> neighboursOf
 (
-    const std::vector<Vec3>& points, const std::vector<Vec3>& sources, bool sameSet, float cellSize = support
+    const std::vector<Vec3>& points, const std::vector<Vec3>& sources, bool sameSet, scalar cellSize = support
 )
 {
     NeighbourList list(support);
     return neighboursOf(points, sources, sameSet, list, cellSize);
 }
 
-void expectAllPairs(const std::vector<Vec3>& points, float cellSize = support)
+void expectAllPairs(const std::vector<Vec3>& points, scalar cellSize = support)
 {
     EXPECT_TRUE(agreesWithAllPairs(neighboursOf(points, points, true, cellSize), points, points, support, true));
 }
@@ -76,7 +76,7 @@ struct VisitAlong
 // Whose neighbours within the support are those across edges and faces.
 struct Lattice
 {
-    static constexpr float spacing = 0.8f;      // those across a face's diagonal are 1.13 away, across a cube's 1.39
+    static constexpr scalar spacing = 0.8f;     // those across a face's diagonal are 1.13 away, across a cube's 1.39
 
     int edge;
 
@@ -85,7 +85,7 @@ struct Lattice
         std::vector<Vec3> points;
         for (int z = 0; z < edge; ++z)
             for (int y = 0; y < edge; ++y)
-                for (int x = 0; x < edge; ++x) points.push_back({spacing * float(x), spacing * float(y), spacing * float(z)});
+                for (int x = 0; x < edge; ++x) points.push_back({spacing * scalar(x), spacing * scalar(y), spacing * scalar(z)});
         return points;
     }
 
@@ -161,7 +161,7 @@ TEST(NeighbourList, TellsClustersApartThatShareTheirCells)
 {
     const auto cluster = randomPoints(300, {0, 0, 0}, {4, 4, 4});
     auto points = cluster;
-    const float period = 4096 * support;
+    const scalar period = 4096 * support;
     for (const Vec3 by : {Vec3{period, 0, 0}, Vec3{0, -period, 0}, Vec3{0, 0, period}})
     {
         const auto copy = shifted(cluster, by);
@@ -174,9 +174,9 @@ TEST(NeighbourList, TellsClustersApartThatShareTheirCells)
 TEST(NeighbourList, EndsForPointsAtInfinityAndNowhere)
 {
     auto points = randomPoints(300, {0, 0, 0}, {4, 4, 4});
-    const float far = 1e30f, infinity = std::numeric_limits<float>::infinity();
+    const scalar far = 1e30f, infinity = std::numeric_limits<scalar>::infinity();
     for (const Vec3 p : {Vec3{far, 0, 0}, Vec3{0, -far, far}, Vec3{1, infinity, 1}, Vec3{-infinity, 1, 1},
-                         Vec3{std::numeric_limits<float>::quiet_NaN(), 1, 1}})
+                         Vec3{std::numeric_limits<scalar>::quiet_NaN(), 1, 1}})
     {
         points.push_back(p);
     }
@@ -196,7 +196,7 @@ TEST(NeighbourList, FindsPairsOfTwoSets)
 // Cells smaller than the support: many cells a search, few particles a cell.
 TEST(NeighbourList, FindsAllPairsInGridsOfSmallerCells)
 {
-    for (const float cells : {1.5f, 2.0f, 4.0f})
+    for (const scalar cells : {1.5f, 2.0f, 4.0f})
     {
         for (const auto& points :
             {randomPoints(2000, {-5, -5, -5}, {4, 4, 4}), latticeBlock(9, 9, 9, support / 2),
@@ -387,7 +387,7 @@ TEST(CellGrid, OrdersPointsByCellAndThoseOfACellByNumber)
 TEST(CellGrid, SearchesAlongALine)
 {
     const auto points = randomPoints(4000, {-4, -4, -4}, {4, 4, 4});
-    constexpr float reach = 0.9f, half = 1.7f;
+    constexpr scalar reach = 0.9f, half = 1.7f;
     CellGrid grid(support, 2 * support);
     const Buffer<Vec3> positions(points);
     const Buffer<std::uint32_t> order = grid.build(positions.span(), int(points.size()));
@@ -413,7 +413,7 @@ TEST(CellGrid, SearchesAlongALine)
         for (int j = 0; j < n; ++j)
         {
             const Vec3 r = places[j] - p;
-            const float s = std::clamp(dot(r, direction), -length, length);
+            const scalar s = std::clamp(dot(r, direction), -length, length);
             if (norm(r - s * direction) < within) { EXPECT_EQ(visited[line * n + j], 1u); }
             EXPECT_LE(visited[line * n + j], 1u);
             candidates += int(visited[line * n + j]);

@@ -13,7 +13,7 @@ using namespace shizuku::test;
 namespace
 {
 
-testing::AssertionResult agrees(const LiquidCase& drop, const std::vector<std::vector<int>>& lists, float support)
+testing::AssertionResult agrees(const LiquidCase& drop, const std::vector<std::vector<int>>& lists, scalar support)
 {
     const auto points = drop.inOrder(drop.liquid.predicted);
     return agreesWithAllPairs(lists, points, points, support, true);
@@ -25,28 +25,28 @@ std::vector<std::vector<int>> nearOf(const LiquidCase& drop)
     return listsOf(drop.near.view(), id, id);
 }
 
-float numberOf(int i) { return float(i * 2654435761u >> 20); }
+scalar numberOf(int i) { return scalar(i * 2654435761u >> 20); }
 
 // A search may visit several at once: how many it finds, and sums of whole numbers below 2^12 that tell them apart.
 struct SumFound
 {
     NeighbourSearch wide;
-    Span<const float> number;
-    Span<float> count, sum;
+    Span<const scalar> number;
+    Span<scalar> count, sum;
 
     HOST_DEVICE void operator()(Group particles, Team team) const
     {
-        const float support2 = wide.support * wide.support;
+        const scalar support2 = wide.support * wide.support;
         GroupOfParticles group{{}, particles.members()};
         for (int p = 0; p < Group::most; ++p) group.index[p] = particles[p];
-        Team::Float all[Group::most] = {}, numbers[Group::most] = {};
+        Team::Scalar all[Group::most] = {}, numbers[Group::most] = {};
         wide.forEach(group, [&](auto j) { return number[j]; }, [&](int p, auto its, auto r)
         {
             const auto isNear = squared(r) < support2;
-            all[p] += isNear ? 1.0f : 0.0f;
+            all[p] += isNear ? scalar(1) : scalar(0);
             numbers[p] += isNear ? its : 0;
         }, team);
-        const float found = team.sums(all), sumFound = team.sums(numbers);
+        const scalar found = team.sums(all), sumFound = team.sums(numbers);
         if (team.lane >= particles.size) return;
         count[particles.first + team.lane] = found;
         sum[particles.first + team.lane] = sumFound;
@@ -54,14 +54,14 @@ struct SumFound
 };
 
 // Against all pairs. Of random points none is at the support's edge.
-testing::AssertionResult wideAgrees(const LiquidCase& drop, const std::vector<float>& counts, const std::vector<float>& sums)
+testing::AssertionResult wideAgrees(const LiquidCase& drop, const std::vector<scalar>& counts, const std::vector<scalar>& sums)
 {
-    const float support = drop.near.wide(drop.liquid).support;
+    const scalar support = drop.near.wide(drop.liquid).support;
     const auto points = drop.liquid.predicted.download();
     const int n = int(points.size());
     for (int i = 0; i < n; ++i)
     {
-        float expectedCount = 0, expectedSum = 0;
+        scalar expectedCount = 0, expectedSum = 0;
         for (int j = 0; j < n; ++j)
         {
             if (i == j || norm(points[i] - points[j]) >= support) continue;
@@ -79,10 +79,10 @@ testing::AssertionResult wideAgrees(const LiquidCase& drop, const std::vector<fl
 void expectWideAgrees(const LiquidCase& drop)
 {
     const int n = drop.liquid.owned();
-    std::vector<float> number;
+    std::vector<scalar> number;
     for (int i = 0; i < n; ++i) number.push_back(numberOf(i));
-    const Buffer<float> numbers(number);
-    Buffer<float> count(n), sum(n);
+    const Buffer<scalar> numbers(number);
+    Buffer<scalar> count(n), sum(n);
     const SumFound sumFound{drop.near.wide(drop.liquid), numbers.span(), count.span(), sum.span()};
     forEachGroup(n, sumFound);
     EXPECT_TRUE(wideAgrees(drop, count.download(), sum.download()));
@@ -101,10 +101,10 @@ TEST(Neighbourhood, FindsPairsWithinTheKernelsAndAWiderSupport)
 {
     LiquidCase drop;
     drop.place(randomPoints(1500, {-4, -4, -4}, {5, 5, 5}));
-    const float h = drop.liquid.support();
+    const scalar h = drop.liquid.support();
     EXPECT_TRUE(agrees(drop, nearOf(drop), h));
     EXPECT_EQ(drop.near.wide(drop.liquid).support, 0);
-    for (const float wide : {2 * h, 1.5f * h, 0.0f, 2 * h})
+    for (const scalar wide : {2 * h, 1.5f * h, scalar(0), 2 * h})
     {
         drop.near.update(drop.liquid, wide);
         EXPECT_TRUE(agrees(drop, nearOf(drop), h)) << wide;
@@ -118,7 +118,7 @@ TEST(Neighbourhood, FollowsThePredictedPositions)
 {
     LiquidCase drop;
     drop.place(randomPoints(500, {0, 0, 0}, {5, 5, 5}));
-    const float wide = 2 * drop.liquid.support();
+    const scalar wide = 2 * drop.liquid.support();
     drop.near.update(drop.liquid, wide);
     drop.liquid.predicted.upload(randomPoints(500, {0, 0, 0}, {6, 5, 5}, 7));
     drop.near.update(drop.liquid, wide);

@@ -10,9 +10,9 @@ using namespace shizuku;
 namespace
 {
 
-std::vector<float> xOf(const Buffer<Vec3>& field)
+std::vector<scalar> xOf(const Buffer<Vec3>& field)
 {
-    std::vector<float> x;
+    std::vector<scalar> x;
     for (const Vec3& v : field.download()) x.push_back(v.x);
     return x;
 }
@@ -23,24 +23,24 @@ TEST(FieldRegistry, ReordersWhatMovesWithItsParticle)
 {
     FieldRegistry fields;
     fields.resize(4);
-    auto& scalar = fields.add<float>({.name = "scalar", .dimensions = {}});
+    auto& number = fields.add<scalar>({.name = "scalar", .dimensions = {}});
     auto& vector = fields.add<Vec3>({.name = "vector", .dimensions = {}});
     auto& label = fields.add<std::uint32_t>({.name = "label", .dimensions = {}});
-    auto& scratch = fields.add<float>({.name = "scratch", .dimensions = {}, .sorted = false});
-    auto& second = fields.add<float>({.name = "second", .dimensions = {}});
-    scalar.upload({10, 11, 12, 13});
+    auto& scratch = fields.add<scalar>({.name = "scratch", .dimensions = {}, .sorted = false});
+    auto& second = fields.add<scalar>({.name = "second", .dimensions = {}});
+    number.upload({10, 11, 12, 13});
     vector.upload({{20, 0, 1}, {21, 0, 2}, {22, 0, 3}, {23, 0, 4}});
     label.upload({30, 31, 32, 33});
     scratch.upload({40, 41, 42, 43});
     second.upload({50, 51, 52, 53});
 
     fields.reorder(Buffer<std::uint32_t>(std::vector<std::uint32_t>{2, 0, 3, 1}));
-    EXPECT_EQ(scalar.download(), (std::vector<float>{12, 10, 13, 11}));
-    EXPECT_EQ(xOf(vector), (std::vector<float>{22, 20, 23, 21}));
+    EXPECT_EQ(number.download(), (std::vector<scalar>{12, 10, 13, 11}));
+    EXPECT_EQ(xOf(vector), (std::vector<scalar>{22, 20, 23, 21}));
     EXPECT_EQ(vector.download()[3].z, 2);
     EXPECT_EQ(label.download(), (std::vector<std::uint32_t>{32, 30, 33, 31}));
-    EXPECT_EQ(scratch.download(), (std::vector<float>{40, 41, 42, 43}));
-    EXPECT_EQ(second.download(), (std::vector<float>{52, 50, 53, 51}));
+    EXPECT_EQ(scratch.download(), (std::vector<scalar>{40, 41, 42, 43}));
+    EXPECT_EQ(second.download(), (std::vector<scalar>{52, 50, 53, 51}));
 }
 
 TEST(FieldRegistry, ReordersEveryStepWithoutAllocating)
@@ -56,8 +56,8 @@ TEST(FieldRegistry, ReordersEveryStepWithoutAllocating)
     const std::size_t bytes = deviceCounters().bytes;
     for (int i = 0; i < 4; ++i) fields.reorder(swap);
     EXPECT_EQ(deviceCounters().bytes, bytes);
-    EXPECT_EQ(xOf(a), (std::vector<float>{2, 1}));
-    EXPECT_EQ(xOf(b), (std::vector<float>{4, 3}));
+    EXPECT_EQ(xOf(a), (std::vector<scalar>{2, 1}));
+    EXPECT_EQ(xOf(b), (std::vector<scalar>{4, 3}));
 }
 
 TEST(FieldRegistry, SharesAFieldThatTwoModelsRequire)
@@ -75,22 +75,22 @@ TEST(FieldRegistry, SharesAFieldThatTwoModelsRequire)
 TEST(FieldRegistry, FieldsOfNewParticlesAreZero)
 {
     FieldRegistry fields;
-    auto& early = fields.add<float>({.name = "early", .dimensions = {}});
+    auto& early = fields.add<scalar>({.name = "early", .dimensions = {}});
     fields.resize(2);
     early.upload({7, 8});
     fields.resize(5);
-    auto& late = fields.add<float>({.name = "late", .dimensions = {}});
-    EXPECT_EQ(early.download(), (std::vector<float>{7, 8, 0, 0, 0}));
-    EXPECT_EQ(late.download(), std::vector<float>(5, 0));
+    auto& late = fields.add<scalar>({.name = "late", .dimensions = {}});
+    EXPECT_EQ(early.download(), (std::vector<scalar>{7, 8, 0, 0, 0}));
+    EXPECT_EQ(late.download(), std::vector<scalar>(5, 0));
     fields.resize(1);
     fields.resize(3);
-    EXPECT_EQ(early.download(), (std::vector<float>{7, 0, 0}));
+    EXPECT_EQ(early.download(), (std::vector<scalar>{7, 0, 0}));
 }
 
 TEST(ParticleSet, HasOwnedParticlesAndGhosts)
 {
     ParticleSet particles("liquid");
-    const auto& field = particles.fields().add<float>({.name = "a", .dimensions = {}});
+    const auto& field = particles.fields().add<scalar>({.name = "a", .dimensions = {}});
     particles.resize(5, 2);
     EXPECT_EQ(particles.owned(), 5);
     EXPECT_EQ(particles.ghosts(), 2);

@@ -2,7 +2,7 @@
 
 #include "support/LiquidCase.H"
 
-#include <bit>
+#include <limits>
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -10,7 +10,7 @@ using namespace shizuku::test;
 namespace
 {
 
-// Floats of many sizes and signs: what 9 digits must bring back.
+// Numbers of many sizes and signs: what 9 digits must bring back, or 17 in double precision.
 std::vector<Vec3> awkwardVectors(int n, unsigned seed)
 {
     RandomNumbers random(seed);
@@ -25,19 +25,19 @@ std::vector<Vec3> awkwardVectors(int n, unsigned seed)
     return vectors;
 }
 
-std::vector<std::uint32_t> bitsOf(const std::vector<Vec3>& vectors)
+std::vector<Word> bitsOf(const std::vector<Vec3>& vectors)
 {
-    std::vector<std::uint32_t> bits;
+    std::vector<Word> bits;
     for (const Vec3& v : vectors)
     {
-        for (const float c : {v.x, v.y, v.z}) bits.push_back(std::bit_cast<std::uint32_t>(c));
+        for (const scalar c : {v.x, v.y, v.z}) bits.push_back(wordOf(c));
     }
     return bits;
 }
 
 }
 
-TEST(ParticleFiles, ReturnEveryBitInAsciiWithNineDigitsAndInBinary)
+TEST(ParticleFiles, ReturnEveryBitInAsciiWithEnoughDigitsAndInBinary)
 {
     constexpr int n = 500;
     LiquidCase original;
@@ -54,7 +54,7 @@ TEST(ParticleFiles, ReturnEveryBitInAsciiWithNineDigitsAndInBinary)
         const auto time = original.folder.path() / (binary ? "1" : "2");
         ParticleCopy written;
         written.take(original.liquid, original.liquid.units());
-        written.write(time, {.binary = binary, .precision = 9});
+        written.write(time, {.binary = binary, .precision = std::numeric_limits<scalar>::max_digits10});
 
         Liquid copy(original.liquid.properties(), Dictionary());
         copy.read(time);
@@ -94,21 +94,21 @@ TEST(ParticleFiles, NumberParticlesThatHaveNoId)
     writeField(drop.folder.path() / "0/liquid/U", speeds, {});
     drop.liquid.read(drop.folder.path() / "0");
     EXPECT_EQ(drop.liquid.id.download(), (std::vector<std::uint32_t>{0, 1, 2}));
-    EXPECT_EQ(drop.liquid.position.download()[2].x, float(3e-3f / drop.liquid.units().length));
-    EXPECT_EQ(drop.liquid.density.download(), std::vector<float>(3, 0));
+    EXPECT_EQ(drop.liquid.position.download()[2].x, scalar(3e-3 / drop.liquid.units().length));
+    EXPECT_EQ(drop.liquid.density.download(), std::vector<scalar>(3, 0));
 }
 
 TEST(ParticleFiles, WriteTheMomentThatWasCopied)
 {
     LiquidCase drop;
     ParticleWriter writer;
-    const auto copyAt = [&](int n, float x)
+    const auto copyAt = [&](int n, scalar x)
     {
         drop.liquid.resize(n);
         drop.liquid.position.upload(std::vector<Vec3>(n, Vec3{x, 0, 0}));
         return writer.copy(drop.liquid, drop.liquid.units(), {.binary = true});
     };
-    const auto expect = [&](const std::string& time, std::size_t n, float x)
+    const auto expect = [&](const std::string& time, std::size_t n, scalar x)
     {
         const FieldData positions = readField(drop.folder.path() / time / "liquid/positions");
         ASSERT_EQ(positions.elements(), n);
@@ -141,7 +141,7 @@ TEST(ParticleFiles, AUniformFieldIsTheValueOfEachParticle)
     const auto velocities = drop.liquid.velocity.download(), places = drop.liquid.position.download();
     for (int i = 0; i < n; ++i)
     {
-        ASSERT_EQ(places[i].z, float(3 * i + 2)) << i;
+        ASSERT_EQ(places[i].z, scalar(3 * i + 2)) << i;
         ASSERT_EQ(velocities[i].y, 2) << i;
         ASSERT_EQ(velocities[i].z, -1) << i;
     }

@@ -40,7 +40,7 @@ TEST(Units, ArePowersOfTwoNearTheGivenValues)
     }
 }
 
-// A power of two shifts the exponent: not one bit of a float is lost on the way to SI and back.
+// A power of two shifts the exponent: not one bit of a scalar is lost on the way to SI and back.
 TEST(Units, RoundTripBitwise)
 {
     const Dimensions all[]
@@ -55,7 +55,7 @@ TEST(Units, RoundTripBitwise)
         {
             for (int i = 0; i < 200; ++i)
             {
-                const float value = std::exp(random(-20, 20)) * random(-1, 1);
+                const scalar value = std::exp(random(-20, 20)) * random(-1, 1);
                 ASSERT_EQ(units.toScaled(units.toSI(value, d), d), value) << d.str();
             }
         }

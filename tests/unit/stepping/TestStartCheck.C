@@ -165,8 +165,8 @@ TEST(StartCheck, MovesApartWhatOverlaps)
         Vec3 before{}, after{};
         for (const Vec3& p : points)
         {
-            velocities.push_back({p.x, float(velocities.size()), 0});
-            before += (1.0f / float(points.size())) * p;
+            velocities.push_back({p.x, scalar(velocities.size()), 0});
+            before += (1.0f / scalar(points.size())) * p;
         }
         drop.place(points, velocities);
         ASSERT_TRUE(measureCrowding(drop.liquid).overlaps());
@@ -180,7 +180,7 @@ TEST(StartCheck, MovesApartWhatOverlaps)
         ASSERT_EQ(x.size(), points.size());
         for (std::size_t i = 0; i < x.size(); ++i)
         {
-            after += (1 / (float(x.size()) * drop.liquid.spacing())) * x[i];
+            after += (1 / (scalar(x.size()) * drop.liquid.spacing())) * x[i];
             ASSERT_EQ(u[i].y, velocities[i].y);
         }
         EXPECT_LT(norm(after - before), 0.033f);

@@ -14,7 +14,7 @@ namespace
 // A block that a step drives to half its size, onto a sampled floor: lists find no room. prepared: they are known to be long.
 std::vector<Vec3> positionsAfterStep(bool prepared)
 {
-    constexpr float dt = 0.1f;
+    constexpr scalar dt = 0.1f;
     const auto layer = latticeBlock(17, 17, 1, 0.5f, {-4, -4, -0.5f});
     LiquidCase drop({.walls = sampledFloor, .solidPositions = layer, .solidTheta = std::vector<double>(layer.size(), 60)});
     drop.folder.write
@@ -91,8 +91,8 @@ struct Sheet
 
     std::vector<Vec3> positions() const { return drop.inOrder(drop.liquid.position); }
 
-    void settleFor(float dt) { settle(drop.liquid, drop.near, drop.walls, models, dt); }
-    void step(float dt) { subStep(drop.liquid, drop.near, drop.walls, models, dt); }
+    void settleFor(scalar dt) { settle(drop.liquid, drop.near, drop.walls, models, dt); }
+    void step(scalar dt) { subStep(drop.liquid, drop.near, drop.walls, models, dt); }
 };
 
 }
@@ -101,7 +101,7 @@ struct Sheet
 // what the settling's iterations left.
 TEST(SubStep, StartsSettledLiquidWithItsOwnVelocity)
 {
-    constexpr float dt = 1e-3f;
+    constexpr scalar dt = 1e-3f;
     Sheet filled("completedPbf"), settled("completedPbf");
     const auto placed = filled.positions();
     filled.step(dt);
@@ -116,7 +116,7 @@ TEST(SubStep, StartsSettledLiquidWithItsOwnVelocity)
         EXPECT_EQ(u.y, 0);
         EXPECT_EQ(u.z, 0);
     }
-    for (const float p : settled.models.pressure->keepPressure()->download()) EXPECT_EQ(p, 0);
+    for (const scalar p : settled.models.pressure->keepPressure()->download()) EXPECT_EQ(p, 0);
     const auto start = settled.positions();
     settled.step(dt);
     EXPECT_LT(settled.farthest(start), 0.1 * jump);

@@ -44,10 +44,10 @@ std::vector<Vec3> latticeCap(double theta, int n)
 {
     const double cosine = std::cos(theta * std::numbers::pi / 180);
     const double radius = std::cbrt(3 * n / (std::numbers::pi * (2 + cosine) * (1 - cosine) * (1 - cosine)));
-    const float centre = -float(radius * cosine);
+    const scalar centre = -scalar(radius * cosine);
     const int half = int(radius) + 2;
     std::vector<Vec3> points;
-    for (const Vec3 p : latticeBlock(2 * half, 2 * half, 2 * half, 1, {0.3f - float(half), 0.6f - float(half), 0.5f}))
+    for (const Vec3 p : latticeBlock(2 * half, 2 * half, 2 * half, 1, {0.3f - scalar(half), 0.6f - scalar(half), 0.5f}))
     {
         if (norm(p - Vec3{0, 0, centre}) < radius) points.push_back(p);
     }
@@ -70,7 +70,7 @@ void expectSurface(const TriangleMesh& mesh)
 // surface what remains is of higher order in 1/R, and the steps of the lattice.
 TEST(LiquidSurface, KeepsTheVolumeOfBalls)
 {
-    struct Ball { float radius; double tolerance; };
+    struct Ball { scalar radius; double tolerance; };
     for (const auto& [radius, tolerance] : std::vector<Ball>{{4, 0.004}, {6, 0.002}, {10, 0.001}})
     {
         const auto ball = latticeBall(radius, {3, -2, 40});
@@ -92,8 +92,8 @@ TEST(LiquidSurface, FindsTheFaceBehindUnevenLayers)
     for (int layer = 0; layer < 10; ++layer)
     {
         const int n = layer == 0 ? 41 : layer == 1 ? 39 : 40;
-        const float step = 40.0f / float(n);
-        for (const Vec3 p : latticeBlock(n, n, 1, step, {step / 2 - 20, step / 2 - 20, -float(layer) - 0.5f})) body.push_back(p);
+        const scalar step = 40.0f / scalar(n);
+        for (const Vec3 p : latticeBlock(n, n, 1, step, {step / 2 - 20, step / 2 - 20, -scalar(layer) - 0.5f})) body.push_back(p);
     }
     const TriangleMesh mesh = meshOf(body);
     expectSurface(mesh);
@@ -129,7 +129,7 @@ TEST(LiquidSurface, KeepsTheVolumeOfCaps)
 // Drops far from each other take no more memory than drops side by side.
 TEST(LiquidSurface, TakesMemoryForTheLiquidAlone)
 {
-    const auto bytesOf = [](float distance)
+    const auto bytesOf = [](scalar distance)
     {
         auto balls = latticeBall(5);
         const auto other = latticeBall(5, {distance, distance, -distance});
@@ -217,10 +217,10 @@ TEST(LiquidSurface, FindsVoidsInTheDeep)
 {
     for (int k = 0; k < 8; ++k)
     {
-        const Vec3 from{-7 + 0.25f * float(k), -7 + 0.125f * float(k), -7 + 0.5f * float(k % 3)};
+        const Vec3 from{-7 + 0.25f * scalar(k), -7 + 0.125f * scalar(k), -7 + 0.5f * scalar(k % 3)};
         std::vector<Vec3> body = latticeBlock(15, 15, 15, 1, from);
         std::erase_if(body, [&](Vec3 p) { return norm(p - from - Vec3{7, 7, 7}) < 1.1f; });
-        const auto voidOf = [&](float cell)
+        const auto voidOf = [&](scalar cell)
         {
             const TriangleMesh mesh = meshOf(body, {.spacing = 1, .cell = cell, .support = 2});
             expectSurface(mesh);
@@ -269,7 +269,7 @@ TEST(LiquidSurface, StaysASurfaceAroundScatteredLiquid)
 {
     for (unsigned seed = 1; seed <= 4; ++seed)
     {
-        for (const float cell : {0.4f, 0.7f})
+        for (const scalar cell : {0.4f, 0.7f})
         {
             const auto drops = randomPoints(2500, {0, 0, 0}, {17, 17, 17}, seed);
             const TriangleMesh mesh = meshOf(drops, {.spacing = 1, .cell = cell, .support = 2});

@@ -13,7 +13,7 @@ using namespace shizuku::test;
 namespace
 {
 
-constexpr float support = 1.9f;
+constexpr scalar support = 1.9f;
 
 // int over the half-space z > s of f(r, z), z the distance towards the solid. Midpoint rule.
 template<class Integrand>
@@ -39,7 +39,7 @@ template<class Type>
 class HalfSpace : public testing::Test
 {
 public:
-    HalfSpaceValues operator()(float s) const
+    HalfSpaceValues operator()(scalar s) const
     {
         return HalfSpaceView{{table.data(), int(table.size())}, support}(s);
     }
@@ -56,11 +56,11 @@ TYPED_TEST_SUITE(HalfSpace, Kernels);
 TYPED_TEST(HalfSpace, FillsHalfOfTheSupportAtThePlane)
 {
     const auto& at = *this;
-    // Simpson's rule and a sum in double, stored as float.
+    // Simpson's rule and a sum in double, stored as scalar.
     EXPECT_NEAR(at(0).density, 0.5, 1e-6);
     EXPECT_NEAR(at(-support).density, 1, 1e-6);
     EXPECT_EQ(at(support).density, 0);
-    for (float s = 0; s < support; s += 0.11f)
+    for (scalar s = 0; s < support; s += 0.11f)
     {
         EXPECT_NEAR(at(s).density + at(-s).density, 1, 1e-6) << s;
         EXPECT_GE(at(s).gradient, 0) << s;
@@ -78,12 +78,12 @@ TYPED_TEST(HalfSpace, HoldsTheIntegralsOfItsKernel)
     const auto& reference = this->reference;
     const CohesionSpline C{support};
     const HalfSpaceValues largest{1, at(0).gradient, at(0.5f * support).cohesion, at(-support).drag};
-    for (const float s : {-1.5f, -0.77f, -0.2f, 0.0f, 0.013f, 0.4f, 0.95f, 1.3f, 1.7f})
+    for (const scalar s : {-1.5f, -0.77f, -0.2f, 0.0f, 0.013f, 0.4f, 0.95f, 1.3f, 1.7f})
     {
         const auto value = at(s);
         const auto density = [&](double r, double) { return reference.W(r); };
         const auto gradient = [&](double r, double z) { return -reference.slope(r) * z / r; };
-        const auto cohesion = [&](double r, double z) { return C(float(r)) * z / r; };
+        const auto cohesion = [&](double r, double z) { return C(scalar(r)) * z / r; };
         const auto drag = [&](double r, double) { return -2 * reference.slope(r) / r; };
         EXPECT_NEAR(value.density, overHalfSpace(s, density), 3e-4 * largest.density) << s;
         EXPECT_NEAR(value.gradient, overHalfSpace(s, gradient), 3e-4 * largest.gradient) << s;
@@ -95,7 +95,7 @@ TYPED_TEST(HalfSpace, HoldsTheIntegralsOfItsKernel)
 // Of the kernel that gradients are taken of: int grad W over the half-space is the area integral of W over its plane.
 TYPED_TEST(HalfSpace, GradientIsTheKernelsIntegralOverThePlane)
 {
-    for (const float s : {-1.2f, -0.3f, 0.0f, 0.5f, 1.0f, 1.6f})
+    for (const scalar s : {-1.2f, -0.3f, 0.0f, 0.5f, 1.0f, 1.6f})
     {
         const auto onPlane = [&](double rho)
         {

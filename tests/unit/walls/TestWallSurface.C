@@ -7,7 +7,7 @@ using namespace shizuku;
 namespace
 {
 
-void expectPlace(const WallSurface& wall, Vec3 x, float distance, Vec3 normal)
+void expectPlace(const WallSurface& wall, Vec3 x, scalar distance, Vec3 normal)
 {
     const auto place = wall(x);
     // Numbers up to five with roundings of 6e-8 each.

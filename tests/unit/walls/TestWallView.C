@@ -10,7 +10,7 @@ using namespace shizuku::test;
 namespace
 {
 
-constexpr float support = 2;
+constexpr scalar support = 2;
 
 class WallSurfaces : public testing::Test
 {
@@ -36,7 +36,7 @@ TEST_F(WallSurfaces, OneOrNoneIsWhatItsTableSays)
     EXPECT_EQ(norm(none.gradient), 0);
 
     const WallSurfacesView floor = planes({{0, 0, 1}});
-    for (const float z : {-0.4f, 0.0f, 0.3f, 1.1f})
+    for (const scalar z : {-0.4f, 0.0f, 0.3f, 1.1f})
     {
         const auto density = floor.density({5, -3, z});
         EXPECT_NEAR(density.value, floor.halfSpace(z).density, 1e-6);
@@ -59,11 +59,11 @@ TEST_F(WallSurfaces, ApproachTheUnionOfTwoPerpendicularPlanes)
 {
     const WallSurfacesView edge = planes({{1, 0, 0}, {0, 0, 1}});
     constexpr int n = 40;
-    constexpr float step = support / n, first = step / 2 - support;
+    constexpr scalar step = support / n, first = step / 2 - support;
     const auto around = latticeBlock(2 * n, 2 * n, 2 * n, step, {first, first, first});
-    for (const float x : {0.25f, 0.5f, 0.75f, 1.25f})
+    for (const scalar x : {0.25f, 0.5f, 0.75f, 1.25f})
     {
-        for (const float z : {0.25f, 0.5f, 1.0f})
+        for (const scalar z : {0.25f, 0.5f, 1.0f})
         {
             double sum = 0;
             for (const Vec3& r : around)
@@ -80,7 +80,7 @@ TEST_F(WallSurfaces, ApproachTheUnionOfTwoPerpendicularPlanes)
 TEST_F(WallSurfaces, GradientIsThatOfTheUnion)
 {
     const WallSurfacesView corner = planes({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-    const float step = support / 64, largest = corner.halfSpace(0).gradient;
+    const scalar step = support / 64, largest = corner.halfSpace(0).gradient;
     for (const Vec3 x : randomPoints(200, {0, 0, 0}, {1.5f, 1.5f, 1.5f}))
     {
         const Vec3 gradient = corner.density(x).gradient;

@@ -126,9 +126,9 @@ TEST(Walls, FitThePlaneOfAFlatLayer)
 {
     for (const double tilt : {0.0, 17.0, 45.0})
     {
-        for (const float apart : {1.0f, 0.83f})
+        for (const scalar apart : {1.0f, 0.83f})
         {
-            const float sine = float(std::sin(tilt * std::numbers::pi / 180)), cosine = std::sqrt(1 - sine * sine);
+            const scalar sine = scalar(std::sin(tilt * std::numbers::pi / 180)), cosine = std::sqrt(1 - sine * sine);
             // The layer's coordinates a, b and the height above the surface.
             const auto place = [&](Vec3 p) { return Vec3{p.x * cosine - p.z * sine, p.y, p.x * sine + p.z * cosine + 2}; };
             std::vector<Vec3> layer = latticeBlock(15, 15, 1, apart, {-7 * apart, -7 * apart, -0.5f}), points;
@@ -143,7 +143,7 @@ TEST(Walls, FitThePlaneOfAFlatLayer)
             points.push_back(place({7 * apart + 3, 0, 0.5f}));
             drop.place(points);
 
-            const float d = drop.liquid.spacing();
+            const scalar d = drop.liquid.spacing();
             const auto view = drop.walls.view().planes;
             const auto normal = download(view.normal);
             const auto offset = download(view.offset), cosTheta = download(view.cosTheta);
@@ -169,7 +169,7 @@ TEST(Walls, FitThePlaneOfAFlatLayer)
 // the normal to a degree, which takes (R + s)(1 - cos 1 degree), below 0.003 spacings, off the distance.
 TEST(Walls, FitTangentPlanesToASampledSphere)
 {
-    for (const float radius : {6.0f, 12.0f})
+    for (const scalar radius : {6.0f, 12.0f})
     {
         for (const Vec3 centre : {Vec3{}, Vec3{60, -40, 25}})
         {
@@ -180,11 +180,11 @@ TEST(Walls, FitTangentPlanesToASampledSphere)
                 {
                     const double z = 1 - (2 * k + 1.0) / n, r = std::sqrt(1 - z * z);
                     const double turn = k * std::numbers::pi * (3 - std::sqrt(5));
-                    directions.push_back({float(r * std::cos(turn)), float(r * std::sin(turn)), float(z)});
+                    directions.push_back({scalar(r * std::cos(turn)), scalar(r * std::sin(turn)), scalar(z)});
                 }
                 return directions;
             };
-            const float layer = radius - 0.5f;
+            const scalar layer = radius - 0.5f;
             const auto normals = onSphere(int(4 * std::numbers::pi * layer * layer));
             std::vector<Vec3> solid, points;
             for (const Vec3& n : normals) solid.push_back(centre + layer * n);
@@ -195,7 +195,7 @@ TEST(Walls, FitTangentPlanesToASampledSphere)
             drop.walls.requireContacts(drop.liquid, 4 * drop.liquid.spacing());
             drop.place(points);
 
-            const float d = drop.liquid.spacing();
+            const scalar d = drop.liquid.spacing();
             const auto view = drop.walls.view().planes;
             const auto normal = download(view.normal);
             const auto offset = download(view.offset);
@@ -203,7 +203,7 @@ TEST(Walls, FitTangentPlanesToASampledSphere)
             const auto id = drop.liquid.id.download();
             for (std::size_t i = 0; i < points.size(); ++i)
             {
-                const float distance = norm(points[id[i]] - centre) - radius;
+                const scalar distance = norm(points[id[i]] - centre) - radius;
                 EXPECT_GT(dot(normal[i], directions[id[i]]), std::cos(std::numbers::pi / 180)) << distance;
                 EXPECT_NEAR((dot(normal[i], x[i]) - offset[i]) / d, distance, 0.003f) << radius << " " << distance;
             }
@@ -230,7 +230,7 @@ TEST(Walls, PutLiquidBackHalfASpacingOutside)
     drop.place({{0, 0, 0.2f}, {1, 0, -0.7f}, {0, 1, 3}, {0, 0, 4.9f}});
     drop.walls.project(drop.liquid);
     const auto moved = drop.inOrder(drop.liquid.predicted);
-    const float d = drop.liquid.spacing();
+    const scalar d = drop.liquid.spacing();
     // Coordinates of up to five units, rounded to 5e-7.
     EXPECT_NEAR(moved[0].z, 0.5f * d, 1e-6);
     EXPECT_NEAR(moved[1].z, 0.5f * d, 1e-6);
@@ -244,7 +244,7 @@ TEST(Walls, StopLiquidAQuarterOfASpacingBeforeALayer)
     LiquidCase drop({.walls = sampledFloor, .solidPositions = latticeBlock(9, 9, 1, 1, {-4, -4, -0.5f})});
     // Before the layer, too near to it, behind it, beside its border at 4 spacings, and too near to it before the step.
     drop.place({{0.3f, 0.2f, -0.24f}, {-2, 1.5f, -0.4f}, {2.1f, -1.2f, -0.9f}, {5.2f, 0, -0.9f}, {0, 2, -0.4f}});
-    const float d = drop.liquid.spacing();
+    const scalar d = drop.liquid.spacing();
     auto before = drop.liquid.position.download();
     for (Vec3& x : before) x.z = x.x == 0 ? -0.35f * d : 0;
     drop.liquid.position.upload(before);
@@ -301,9 +301,9 @@ TEST(Walls, CountABoxAsSixSurfaces)
     EXPECT_EQ(tank.walls.surfaces(), 6);
     EXPECT_EQ(tank.walls.particles(), 0);
     const auto view = tank.walls.view().surfaces;
-    const float unit = float(tank.liquid.units().length);
+    const scalar unit = scalar(tank.liquid.units().length);
     const Vec3 inside{0.5f / unit, 0.5f / unit, 2 / unit};
-    float nearest = 1e9f, sum = 0;
+    scalar nearest = 1e9f, sum = 0;
     for (int a = 0; a < view.count; ++a)
     {
         nearest = std::min(nearest, view.surface[a](inside).distance * unit);

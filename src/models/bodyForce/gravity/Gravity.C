@@ -41,7 +41,7 @@ public:
         g_ = {scaled(value_[0]), scaled(value_[1]), scaled(value_[2])};
     }
 
-    void apply(Liquid& liquid, float dt) override
+    void apply(Liquid& liquid, scalar dt) override
     {
         forEach(liquid.owned(), Accelerate{dt * g_, liquid.velocity.span()});
     }

@@ -12,7 +12,7 @@ class NoBodyForce : public BodyForce
 {
 public:
     NoBodyForce(const std::filesystem::path&, const Liquid&) {}
-    void apply(Liquid&, float) override {}
+    void apply(Liquid&, scalar) override {}
 };
 
 const BodyForceTable::Add<NoBodyForce> registered{"none"};

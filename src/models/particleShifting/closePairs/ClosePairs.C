@@ -24,7 +24,7 @@ namespace
 
 struct PartPairs
 {
-    float distance, most, outermost;        // outermost: how far below the surface particles stay where they are
+    scalar distance, most, outermost;       // outermost: how far below the surface particles stay where they are
     Span<const Vec3> x;
     NeighbourView near;
     FreeSurfaceView surface;
@@ -37,11 +37,11 @@ struct PartPairs
         Team::Vector sum;
         near.forEach(i, xi, x, [&](auto, auto r)
         {
-            const auto apart = fmaxf(norm(r), 1e-6f * distance);
-            sum += fmaxf(distance - apart, 0) / apart * r;
+            const auto apart = fmax(norm(r), 1e-6f * distance);
+            sum += fmax(distance - apart, 0) / apart * r;
         }, team);
         const Vec3 shift = 0.5f * team.sum(sum);
-        const float far = norm(shift);
+        const scalar far = norm(shift);
         const Vec3 admitted = stop(i, xi + (far > most ? most / far : 1) * shift, team);
         if (team.first()) shifted[i] = surface(i).depth >= outermost ? admitted : xi;
     }
@@ -52,7 +52,7 @@ class ClosePairs : public ParticleShifting
 public:
     ClosePairs(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface)
     :
-        distance_(float(coeffs.lookupOr("distance", 0.95))),
+        distance_(scalar(coeffs.lookupOr("distance", 0.95))),
         surface_(surface)
     {
         if (!(distance_ > 0 && distance_ <= 1))
@@ -64,8 +64,8 @@ public:
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        constexpr float most = 0.1f, outermost = 1;         // spacings; a step; below the surface
-        const float d = liquid.spacing();
+        constexpr scalar most = 0.1f, outermost = 1;        // spacings; a step; below the surface
+        const scalar d = liquid.spacing();
         // The predicted positions are done with.
         forEachTeam(liquid.owned(), PartPairs
         {
@@ -76,7 +76,7 @@ public:
     }
 
 private:
-    float distance_;                                        // spacings
+    scalar distance_;                                       // spacings
     FreeSurface& surface_;
 };
 

@@ -27,31 +27,31 @@ namespace shizuku
 namespace
 {
 
-HOST_DEVICE inline float square(float x) { return x * x; }
-HOST_DEVICE inline float cube(float x) { return x * x * x; }
+HOST_DEVICE inline scalar square(scalar x) { return x * x; }
+HOST_DEVICE inline scalar cube(scalar x) { return x * x * x; }
 
 struct Relaxation
 {
-    float h, restSum;                   // rhoR
-    float k, kNear;                     // acceleration
+    scalar h, restSum;                  // rhoR
+    scalar k, kNear;                    // acceleration
 };
 
 struct Pressures
 {
     Relaxation of;
-    float perVolume;                    // 1/V
+    scalar perVolume;                   // 1/V
     Span<const Vec3> x;
     NeighbourView near;
     WallParticlesView solid;
-    Span<float> pressure, nearPressure;
+    Span<scalar> pressure, nearPressure;
 
     HOST_DEVICE void operator()(int i) const
     {
         const Vec3 xi = x[i];
-        float sum = 0, nearSum = 0;
-        const auto add = [&](float r, float weight)
+        scalar sum = 0, nearSum = 0;
+        const auto add = [&](scalar r, scalar weight)
         {
-            const float open = fmaxf(1 - r / of.h, 0);
+            const scalar open = fmax(1 - r / of.h, 0);
             sum += weight * square(open);
             nearSum += weight * cube(open);
         };
@@ -64,27 +64,27 @@ struct Pressures
 
 struct Relax
 {
-    float h, half, perVolume;           // half: dt^2/2
+    scalar h, half, perVolume;          // half: dt^2/2
     Span<const Vec3> x;
     NeighbourView near;
     WallParticlesView solid;
-    Span<const float> pressure, nearPressure;
+    Span<const scalar> pressure, nearPressure;
     Span<Vec3> corrected;
 
     HOST_DEVICE void operator()(int i) const
     {
         const Vec3 xi = x[i];
-        const float own = pressure[i], ownNear = nearPressure[i];
+        const scalar own = pressure[i], ownNear = nearPressure[i];
         Vec3 sum;
-        const auto push = [&](Vec3 r, float P, float nearP)
+        const auto push = [&](Vec3 r, scalar P, scalar nearP)
         {
-            const float distance = norm(r), open = fmaxf(1 - distance / h, 0);
+            const scalar distance = norm(r), open = fmax(1 - distance / h, 0);
             if (distance > 0) sum += open * (P + nearP * open) / distance * r;
         };
         near.forEach(i, [&](int j) { push(xi - x[j], own + pressure[j], ownNear + nearPressure[j]); });
         solid.near.forEach(i, [&](int k)
         {
-            const float share = solid.volume[k] * perVolume;
+            const scalar share = solid.volume[k] * perVolume;
             push(xi - solid.position[k], share * own, share * ownNear);
         });
         corrected[i] = xi + half * sum;
@@ -95,7 +95,7 @@ struct Relax
 template<class F>
 double around(double d, double h, const F& f)
 {
-    return latticeSum(float(d), float(h), [&](float r) { return r > 0 && r < h ? f(r) : 0; });
+    return latticeSum(scalar(d), scalar(h), [&](scalar r) { return r > 0 && r < h ? f(r) : 0; });
 }
 
 Relaxation readRelaxation(const Dictionary& dict, const Liquid& liquid, double c)
@@ -105,11 +105,11 @@ Relaxation readRelaxation(const Dictionary& dict, const Liquid& liquid, double c
     const double d = liquid.spacing(), h = liquid.support();
     const auto sums = [&](double spacing, double power, bool arm)
     {
-        return around(spacing, h, [&](float r) { return std::pow(1 - r / h, power) * (arm ? r : 1); }) / std::pow(spacing, 3);
+        return around(spacing, h, [&](scalar r) { return std::pow(1 - r / h, power) * (arm ? r : 1); }) / std::pow(spacing, 3);
     };
-    Relaxation relaxation{float(h), 0, 1, float(near)};
+    Relaxation relaxation{scalar(h), 0, 1, scalar(near)};
     const double rest = sums(d, 2, false) + near * sums(d, 3, false) * sums(d, 2, true) / sums(d, 1, true);
-    relaxation.restSum = float(rest);
+    relaxation.restSum = scalar(rest);
     // Virial pressure over rho0 for k = 1 at the density ratio D.
     const auto pressure = [&](double D)
     {
@@ -118,8 +118,8 @@ Relaxation readRelaxation(const Dictionary& dict, const Liquid& liquid, double c
     };
     constexpr double step = 0.01;
     const double square = (pressure(1 + step) - pressure(1 - step)) / (2 * step);
-    relaxation.k = float(c * c / square);
-    relaxation.kNear = float(near * c * c / square);
+    relaxation.k = scalar(c * c / square);
+    relaxation.kNear = scalar(near * c * c / square);
     return relaxation;
 }
 
@@ -141,7 +141,7 @@ public:
         }
     }
 
-    void begin(float dt) override
+    void begin(scalar dt) override
     {
         dt_ = dt;
         made_ = 0;
@@ -179,9 +179,9 @@ public:
 private:
     SoundSpeed sound_;
     Relaxation relaxation_;
-    float dt_ = 0;
+    scalar dt_ = 0;
     int made_ = 0;
-    Buffer<float> pressure_, nearPressure_;
+    Buffer<scalar> pressure_, nearPressure_;
     Buffer<Vec3> corrected_;
 };
 

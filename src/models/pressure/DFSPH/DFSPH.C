@@ -34,23 +34,23 @@ namespace
 {
 
 // All particles are corrected at once, out of the values of the last iteration. On a lattice that diverges with whole steps.
-constexpr float relaxation = 0.5f;
+constexpr scalar relaxation = 0.5f;
 
 // What stays the same during an iteration: alpha_i rho0^2/rho_i, zero where a particle is alone.
 template<class Kernel>
 struct Factor
 {
     Kernel W;
-    float volume;
+    scalar volume;
     Span<const Vec3> at;
     NeighbourView near;
     WallView walls;
-    Span<float> factor;
+    Span<scalar> factor;
 
     HOST_DEVICE void operator()(int i) const
     {
         const ConstraintSums sums = constraintSums(W, volume, i, at, near);
-        const float all = sums.squares + squared(sums.gradient + walls.gradient(i, at[i], W));
+        const scalar all = sums.squares + squared(sums.gradient + walls.gradient(i, at[i], W));
         factor[i] = all > 1e-6f ? 1 / all : 0;
     }
 };
@@ -60,16 +60,16 @@ template<class Kernel>
 struct Convergence
 {
     Kernel W;
-    float volume;
+    scalar volume;
     Span<const Vec3> at;
     NeighbourView near;
     WallView walls;
 
     template<class Motion>
-    HOST_DEVICE float operator()(int i, const Motion& u) const
+    HOST_DEVICE scalar operator()(int i, const Motion& u) const
     {
         const Vec3 xi = at[i], ui = u(i);
-        float sum = dot(ui, walls.gradient(i, xi, W));
+        scalar sum = dot(ui, walls.gradient(i, xi, W));
         near.forEach(i, [&](int j)
         {
             const Vec3 r = xi - at[j];
@@ -94,10 +94,10 @@ struct VelocityOf
 };
 
 // kappa dt^2/rho0 of the step may grow and fall, and stays positive.
-HOST_DEVICE inline float raise(float& total, float by)
+HOST_DEVICE inline scalar raise(scalar& total, scalar by)
 {
-    const float before = total;
-    total = fmaxf(before + by, 0);
+    const scalar before = total;
+    total = fmax(before + by, 0);
     return total - before;
 }
 
@@ -106,14 +106,14 @@ struct DensityStep
 {
     Convergence<Kernel> convergence;
     WayMade way;
-    float perPressure;                  // dt^2/rho0
-    Span<const float> start, factor;
-    Span<float> density, pressure, increase;
+    scalar perPressure;                 // dt^2/rho0
+    Span<const scalar> start, factor;
+    Span<scalar> density, pressure, increase;
 
     HOST_DEVICE void operator()(int i) const
     {
         density[i] = start[i] + convergence(i, way);
-        float total = perPressure * pressure[i];
+        scalar total = perPressure * pressure[i];
         increase[i] = raise(total, relaxation * factor[i] * (density[i] - 1));
         pressure[i] = total / perPressure;
     }
@@ -124,9 +124,9 @@ struct DivergenceStep
 {
     Convergence<Kernel> convergence;
     VelocityOf velocity;
-    float fullCount, perVolume;         // neighbours of a full neighbourhood; particles in the volume of a support
-    Span<const float> factor;
-    Span<float> rate, total, increase;
+    scalar fullCount, perVolume;        // neighbours of a full neighbourhood; particles in the volume of a support
+    Span<const scalar> factor;
+    Span<scalar> rate, total, increase;
 
     HOST_DEVICE void operator()(int i) const
     {
@@ -137,9 +137,9 @@ struct DivergenceStep
         {
             if (norm(xi - walls.particles.position[k]) < convergence.W.h) ++count;
         });
-        const bool few = float(count) + perVolume * walls.surfaces.density(xi).value < 0.6f * fullCount;
-        const float now = convergence(i, velocity);
-        rate[i] = few ? 0 : fmaxf(now, 0);
+        const bool few = scalar(count) + perVolume * walls.surfaces.density(xi).value < 0.6f * fullCount;
+        const scalar now = convergence(i, velocity);
+        rate[i] = few ? 0 : fmax(now, 0);
         increase[i] = few ? raise(total[i], -total[i]) : raise(total[i], relaxation * factor[i] * now);
     }
 };
@@ -147,8 +147,8 @@ struct DivergenceStep
 // What the last step came to is the first correction of this one.
 struct WarmStart
 {
-    float factor;                       // zero: none
-    Span<float> total, increase;
+    scalar factor;                      // zero: none
+    Span<scalar> total, increase;
 
     HOST_DEVICE void operator()(int i) const
     {
@@ -159,7 +159,7 @@ struct WarmStart
 
 struct RateOf
 {
-    Span<const float> rate;
+    Span<const scalar> rate;
 
     HOST_DEVICE AverageCompression::Sum operator()(int i) const { return {rate[i]}; }
 };
@@ -172,17 +172,17 @@ public:
         controls_(IterationControls::read(dict, {2, 100, 1e-3})),
         divergenceControls_(IterationControls::read(dict.subDictOrEmpty("divergence"), {1, 100, 1e-3})),
         warmStart_(dict.lookupOr("warmStart", true)),
-        pressure_(liquid.fields().require<float>
+        pressure_(liquid.fields().require<scalar>
         ({
             .name = "p", .dimensions = dimensions::pressure, .written = true, .exchanged = true
         })),
-        velocityPotential_(liquid.fields().require<float>
+        velocityPotential_(liquid.fields().require<scalar>
         ({
             .name = "velocityPotential", .dimensions = dimensions::kinematicViscosity, .exchanged = true
         }))
     {}
 
-    void begin(float dt) override
+    void begin(scalar dt) override
     {
         iterations_ = 0;
         dt_ = dt;
@@ -191,7 +191,7 @@ public:
     bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
         if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
-        const float perPressure = dt_ * dt_ / liquid.restDensity();
+        const scalar perPressure = dt_ * dt_ / liquid.restDensity();
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -234,7 +234,7 @@ public:
                 rate_.resizeDiscarding(liquid.all());
                 forEach(liquid.owned(), WarmStart{warmStart_ ? 1.0f : 0.0f, velocityPotential_.span(), increase_.span()});
                 if (warmStart_) push(W, liquid, near, walls, liquid.velocity);
-                const float inSupport = 4 * kernels::pi / 3 * W.h * W.h * W.h / liquid.particleVolume();
+                const scalar inSupport = 4 * kernels::pi / 3 * W.h * W.h * W.h / liquid.particleVolume();
                 for (int made = 0; made < divergenceControls_.maxIterations; ++made)
                 {
                     forEach(liquid.owned(), DivergenceStep<Kernel>
@@ -254,7 +254,7 @@ public:
 
     int iterations() const override { return iterations_; }
     double mostCompression() const override { return mostTakenOutAtOnce; }
-    const Buffer<float>* keepPressure() override { return &pressure_; }
+    const Buffer<scalar>* keepPressure() override { return &pressure_; }
 
 private:
     template<class Kernel>
@@ -284,11 +284,11 @@ private:
 
     IterationControls controls_, divergenceControls_;
     bool warmStart_;
-    float dt_ = 0;
+    scalar dt_ = 0;
     int iterations_ = 0;
-    Buffer<float>& pressure_;           // rho0 kappa/rho, of the step that was made
-    Buffer<float>& velocityPotential_;  // dt kappav/rho
-    Buffer<float> start_, factor_, increase_, rate_;
+    Buffer<scalar>& pressure_;          // rho0 kappa/rho, of the step that was made
+    Buffer<scalar>& velocityPotential_;  // dt kappav/rho
+    Buffer<scalar> start_, factor_, increase_, rate_;
     AverageCompression compression_;
     Buffer<AverageCompression::Sum> scratch_;
 };

@@ -28,15 +28,15 @@ namespace
 
 struct RaisePressure
 {
-    float delta;                        // times rho0
-    float perPressure;                  // dt^2/rho0
-    Span<const float> density, pressure;
-    Span<float> increase;
+    scalar delta;                       // times rho0
+    scalar perPressure;                 // dt^2/rho0
+    Span<const scalar> density, pressure;
+    Span<scalar> increase;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const float before = pressure[i];
-        increase[i] = (fmaxf(before + delta * (density[i] - 1), 0) - before) * perPressure;
+        const scalar before = pressure[i];
+        increase[i] = (fmax(before + delta * (density[i] - 1), 0) - before) * perPressure;
     }
 };
 
@@ -50,7 +50,7 @@ public:
         pressure_(freshPressure(liquid))
     {}
 
-    void begin(float dt) override
+    void begin(scalar dt) override
     {
         iterations_ = 0;
         dt_ = dt;
@@ -60,7 +60,7 @@ public:
     bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
         if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
-        const float perPressure = dt_ * dt_ / liquid.restDensity();
+        const scalar perPressure = dt_ * dt_ / liquid.restDensity();
         increase_.resizeDiscarding(liquid.all());
         computeDensity(liquid, near, walls);
         forEach(liquid.owned(), RaisePressure
@@ -90,15 +90,15 @@ public:
 
     int iterations() const override { return iterations_; }
     double mostCompression() const override { return mostTakenOutAtOnce; }
-    const Buffer<float>* keepPressure() override { return &pressure_; }
+    const Buffer<scalar>* keepPressure() override { return &pressure_; }
 
 private:
     IterationControls controls_;
-    float squares_;                     // sum of |V grad W|^2 over the lattice
-    float dt_ = 0;
+    scalar squares_;                    // sum of |V grad W|^2 over the lattice
+    scalar dt_ = 0;
     int iterations_ = 0;
-    Buffer<float>& pressure_;
-    Buffer<float> increase_;            // of p, times dt^2/rho0
+    Buffer<scalar>& pressure_;
+    Buffer<scalar> increase_;           // of p, times dt^2/rho0
     AverageCompression compression_;
 };
 

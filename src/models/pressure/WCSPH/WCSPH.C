@@ -20,17 +20,17 @@ namespace
 
 struct Tait
 {
-    float B;
+    scalar B;
 
-    Tait(float restDensity, float c) : B(restDensity * c * c / 7) {}
+    Tait(scalar restDensity, scalar c) : B(restDensity * c * c / 7) {}
 
-    HOST_DEVICE float pressure(float D) const
+    HOST_DEVICE scalar pressure(scalar D) const
     {
-        const float cube = D * D * D;
+        const scalar cube = D * D * D;
         return B * (cube * cube * D - 1);
     }
 
-    HOST_DEVICE float share(float p, float D, float) const { return p / (D * D); }
+    HOST_DEVICE scalar share(scalar p, scalar D, scalar) const { return p / (D * D); }
 };
 
 const PressureTable::Add<CompressiblePressure<Tait>> registered{"WCSPH"};

@@ -13,13 +13,13 @@ namespace shizuku
 namespace
 {
 
-constexpr float spacings = 2;               // a cell's width
-constexpr float mostError = 0.3f;           // of C_i: what one particle counts at most, be it spray or pressed against a wall
-constexpr float tolerated = 0.003f;         // of the mean around a node: noise that would make calm liquid boil
-constexpr float farthest = 0.2f;            // spacings in an iteration: more throws splashes against walls
-constexpr float spray = 0.7f;               // density below which a particle is on its own
-constexpr float atSurface = 0.75f;          // spacings below the surface, of those who tell where it is: its outermost layer
-constexpr float closedBelow = 0.3f;         // cells below the surface: more than half a spacing, so that every surface has closed nodes
+constexpr scalar spacings = 2;              // a cell's width
+constexpr scalar mostError = 0.3f;          // of C_i: what one particle counts at most, be it spray or pressed against a wall
+constexpr scalar tolerated = 0.003f;        // of the mean around a node: noise that would make calm liquid boil
+constexpr scalar farthest = 0.2f;           // spacings in an iteration: more throws splashes against walls
+constexpr scalar spray = 0.7f;              // density below which a particle is on its own
+constexpr scalar atSurface = 0.75f;         // spacings below the surface, of those who tell where it is: its outermost layer
+constexpr scalar closedBelow = 0.3f;        // cells below the surface: more than half a spacing, so that every surface has closed nodes
 
 struct DeepInside
 {
@@ -46,8 +46,8 @@ struct ParticlesOfCell
     {
         const GridBox::Place at = box.cellAt(cell);
         const int cx = at.x + box.lowX, cy = at.y + box.lowY, cz = at.z + box.lowZ;
-        const Vec3 centre = box.width * Vec3{float(cx) + 0.5f, float(cy) + 0.5f, float(cz) + 0.5f};
-        const float far = 2.5f * box.width;             // they may have moved since they were sorted
+        const Vec3 centre = box.width * Vec3{scalar(cx) + 0.5f, scalar(cy) + 0.5f, scalar(cz) + 0.5f};
+        const scalar far = 2.5f * box.width;            // they may have moved since they were sorted
         grid.forEachRangeOfCell(cx, cy, cz, [&](int first, int end)
         {
             for (int k = first; k < end; ++k)
@@ -62,16 +62,16 @@ struct ParticlesOfCell
 struct SumShape
 {
     ParticlesOfCell particles;
-    float part;                             // of a cell that a particle fills
-    float spacing;
+    scalar part;                            // of a cell that a particle fills
+    scalar spacing;
     FreeSurfaceView surface;
-    Span<const float> density;
-    Span<float> fill, surfaceFill, surfaceDepth;
+    Span<const scalar> density;
+    Span<scalar> fill, surfaceFill, surfaceDepth;
     Span<Vec3> normal;
 
     HOST_DEVICE void operator()(int cell) const
     {
-        float filled = 0, known = 0, depth = 0;
+        scalar filled = 0, known = 0, depth = 0;
         Vec3 into;
         particles.forEach(cell, [&](int j)
         {
@@ -84,7 +84,7 @@ struct SumShape
             }
             const SurfaceState state = surface(j);
             if (state.depth >= atSurface * spacing) return;
-            const Vec3 m = 1 / fmaxf(norm(state.gradient), 1e-20f) * state.gradient;
+            const Vec3 m = 1 / fmax(norm(state.gradient), 1e-20f) * state.gradient;
             known += part;
             into += part * m;
             depth += part * (state.depth - dot(particles.x[j], m));
@@ -99,15 +99,15 @@ struct SumShape
 struct OpenNodes
 {
     CoarseBox box;
-    Span<const float> surfaceFill, surfaceDepth;
+    Span<const scalar> surfaceFill, surfaceDepth;
     Span<const Vec3> normal;
     Span<std::uint8_t> open;
 
     HOST_DEVICE void operator()(int i) const
     {
         const GridBox::Place at = box.nodeAt(i);
-        const Vec3 x = box.width * Vec3{float(at.x + box.lowX), float(at.y + box.lowY), float(at.z + box.lowZ)};
-        float known = 0, depth = 0;
+        const Vec3 x = box.width * Vec3{scalar(at.x + box.lowX), scalar(at.y + box.lowY), scalar(at.z + box.lowZ)};
+        scalar known = 0, depth = 0;
         Vec3 into;
         box.forEachCellAround(at, [&](int cell, int, int, int)
         {
@@ -122,14 +122,14 @@ struct OpenNodes
 struct SumError
 {
     ParticlesOfCell particles;
-    float part;
-    Span<const float> density;
-    Span<float> error;
+    scalar part;
+    Span<const scalar> density;
+    Span<scalar> error;
 
     HOST_DEVICE void operator()(int cell) const
     {
-        float sum = 0;
-        particles.forEach(cell, [&](int j) { sum += part * fminf(fmaxf(density[j] - 1, -mostError), mostError); });
+        scalar sum = 0;
+        particles.forEach(cell, [&](int j) { sum += part * fmin(fmax(density[j] - 1, -mostError), mostError); });
         error[cell] = sum;
     }
 };
@@ -137,19 +137,19 @@ struct SumError
 struct SourceOfNodes
 {
     CoarseBox box;
-    Span<const float> error, fill;
+    Span<const scalar> error, fill;
     Span<const std::uint8_t> open;
-    Span<float> source;
+    Span<scalar> source;
 
     HOST_DEVICE void operator()(int i) const
     {
-        float sum = 0, filled = 0;
+        scalar sum = 0, filled = 0;
         box.forEachCellAround(box.nodeAt(i), [&](int cell, int, int, int)
         {
             sum += error[cell];
             filled += fill[cell];
         });
-        const float borne = tolerated * filled, beyond = sum > borne ? sum - borne : fminf(sum + borne, 0);
+        const scalar borne = tolerated * filled, beyond = sum > borne ? sum - borne : fmin(sum + borne, 0);
         source[i] = open[i] ? 0.125f * box.width * box.width * beyond : 0;
     }
 };
@@ -157,7 +157,7 @@ struct SourceOfNodes
 struct GradientOfCells
 {
     CoarseBox box;
-    Span<const float> q;
+    Span<const scalar> q;
     Span<Vec3> gradient;
 
     HOST_DEVICE void operator()(int cell) const
@@ -168,7 +168,7 @@ struct GradientOfCells
         for (int b = 0; b < 2; ++b)
         for (int a = 0; a < 2; ++a)
         {
-            sum += q[box.node(at.x + a, at.y + b, at.z + c)] * Vec3{float(2 * a - 1), float(2 * b - 1), float(2 * c - 1)};
+            sum += q[box.node(at.x + a, at.y + b, at.z + c)] * Vec3{scalar(2 * a - 1), scalar(2 * b - 1), scalar(2 * c - 1)};
         }
         gradient[cell] = 0.25f / box.width * sum;
     }
@@ -178,14 +178,14 @@ struct GradientOfCells
 struct GradientOfNodes
 {
     CoarseBox box;
-    Span<const float> fill;
+    Span<const scalar> fill;
     Span<const Vec3> ofCells;
     Span<Vec3> gradient;
-    Span<float> known;
+    Span<scalar> known;
 
     HOST_DEVICE void operator()(int i) const
     {
-        float weight = 0;
+        scalar weight = 0;
         Vec3 sum;
         box.forEachCellAround(box.nodeAt(i), [&](int cell, int, int, int)
         {
@@ -201,34 +201,34 @@ struct GradientOfNodes
 struct MoveApart
 {
     CoarseBox box;
-    float most;
+    scalar most;
     Span<const Vec3> gradient;
-    Span<const float> known;
+    Span<const scalar> known;
     Span<Vec3> predicted;
 
     HOST_DEVICE void operator()(int i) const
     {
-        constexpr float left = 2;               // cells outside of the box
-        const Vec3 place = 1 / box.width * predicted[i] - Vec3{float(box.lowX), float(box.lowY), float(box.lowZ)};
-        const Vec3 in{fminf(fmaxf(place.x, 0), float(box.x)), fminf(fmaxf(place.y, 0), float(box.y)), fminf(fmaxf(place.z, 0), float(box.z))};
+        constexpr scalar left = 2;              // cells outside of the box
+        const Vec3 place = 1 / box.width * predicted[i] - Vec3{scalar(box.lowX), scalar(box.lowY), scalar(box.lowZ)};
+        const Vec3 in{fmin(fmax(place.x, 0), scalar(box.x)), fmin(fmax(place.y, 0), scalar(box.y)), fmin(fmax(place.z, 0), scalar(box.z))};
         if (!(squared(place - in) < left * left)) return;
-        const auto cellOf = [](float at, int cells) { const int cell = int(at); return cell < cells ? cell : cells - 1; };
+        const auto cellOf = [](scalar at, int cells) { const int cell = int(at); return cell < cells ? cell : cells - 1; };
         const int x = cellOf(in.x, box.x), y = cellOf(in.y, box.y), z = cellOf(in.z, box.z);
-        const Vec3 high = in - Vec3{float(x), float(y), float(z)};
-        float weights = 0;
+        const Vec3 high = in - Vec3{scalar(x), scalar(y), scalar(z)};
+        scalar weights = 0;
         Vec3 sum;
         for (int c = 0; c < 2; ++c)
         for (int b = 0; b < 2; ++b)
         for (int a = 0; a < 2; ++a)
         {
             const int node = box.node(x + a, y + b, z + c);
-            const float weight = known[node] * (a ? high.x : 1 - high.x) * (b ? high.y : 1 - high.y) * (c ? high.z : 1 - high.z);
+            const scalar weight = known[node] * (a ? high.x : 1 - high.x) * (b ? high.y : 1 - high.y) * (c ? high.z : 1 - high.z);
             weights += weight;
             sum += weight * gradient[node];
         }
         if (weights == 0) return;
         sum = 1 / weights * sum;
-        const float far = norm(sum);
+        const scalar far = norm(sum);
         predicted[i] -= (far > most ? most / far : 1) * sum;
     }
 };
@@ -247,8 +247,8 @@ void CoarseCorrection::begin(const Liquid& liquid, const FreeSurface& surface)
 
     // Those deep inside see the surface from one support away, or from as far as the next layer then is. The nodes around it belong to the box:
     // without closed ones nothing could give way.
-    const float width = spacings * liquid.spacing(), around = liquid.support() + width;
-    const auto cellOf = [&](float at) { return int(std::floor(at / width)); };
+    const scalar width = spacings * liquid.spacing(), around = liquid.support() + width;
+    const auto cellOf = [&](scalar at) { return int(std::floor(at / width)); };
     CoarseBox box;
     box.width = width;
     box.lowX = cellOf(bounds.low.x - around);
@@ -280,7 +280,7 @@ void CoarseCorrection::begin(const Liquid& liquid, const FreeSurface& surface)
     surfaceDepth_.resizeDiscarding(box.cells());
     ofCells_.resizeDiscarding(box.cells());
     open_.resizeDiscarding(box.nodes());
-    const float part = liquid.particleVolume() / (width * width * width);
+    const scalar part = liquid.particleVolume() / (width * width * width);
     forEach(box.cells(), SumShape
     {
         {grid_.view(), box, order_.span(), x}, part, liquid.spacing(), view, liquid.density.span(), fill_.span(), surfaceFill_.span(),
@@ -297,7 +297,7 @@ void CoarseCorrection::apply(Liquid& liquid)
     error_.resizeDiscarding(box_.cells());
     ofNodes_.resizeDiscarding(box_.nodes());
     known_.resizeDiscarding(box_.nodes());
-    const float part = liquid.particleVolume() / (box_.width * box_.width * box_.width);
+    const scalar part = liquid.particleVolume() / (box_.width * box_.width * box_.width);
     forEach(box_.cells(), SumError
     {
         {grid_.view(), box_, order_.span(), liquid.predicted.span()}, part, liquid.density.span(), error_.span()

@@ -58,16 +58,16 @@ struct RaisePressure
     static constexpr Holds holds = Holds::more;
 
     Kernel W;
-    float volume, densityVolume;            // V, V/S
-    float ordering;                         // o
-    float relaxation, epsilon, perPressure; // perPressure: dt^2/rho0
+    scalar volume, densityVolume;           // V, V/S
+    scalar ordering;                        // o
+    scalar relaxation, epsilon, perPressure; // perPressure: dt^2/rho0
     Span<Vec3> x;                           // gets w = dt^2/rho0 dp
     NeighbourView near;
     WallCompletion walls;
     FreeSurfaceView surface;
     HalfSpaceView plane;
-    Span<const float> pressure;             // so far; of the first iteration that of the step before
-    Span<float> density;
+    Span<const scalar> pressure;            // so far; of the first iteration that of the step before
+    Span<scalar> density;
     Span<Vec3> push, order;                 // dt^2/rho0 (2 dp grad(walls) + e), dt^2/rho0 e; order may be empty
     Stress stress;
 
@@ -86,12 +86,12 @@ struct RaisePressure
         const Vec3 gradient = sums.gradient + wall.gradient;
         density[i] = (densityVolume * sums.W + wall.value) / (1 - gas.density);
 
-        const float before = Stress::present ? 0 : pressure[i];
-        const float step = relaxation * (density[i] - 1) / (sums.squares + squared(gradient) + epsilon);
-        const float raised = fmaxf(before + step / perPressure, own.lowestPressure), increase = (raised - before) * perPressure;
+        const scalar before = Stress::present ? 0 : pressure[i];
+        const scalar step = relaxation * (density[i] - 1) / (sums.squares + squared(gradient) + epsilon);
+        const scalar raised = fmax(before + step / perPressure, own.lowestPressure), increase = (raised - before) * perPressure;
         x[i].w = increase;
 
-        const Vec3 disorder = gradient - gas.gradient / fmaxf(norm(own.gradient), 1e-20f) * own.gradient;
+        const Vec3 disorder = gradient - gas.gradient / fmax(norm(own.gradient), 1e-20f) * own.gradient;
         const Vec3 e = 2 * increase * ((raised < 0 ? -ordering : ordering) - 1) * disorder;
         push[i] = 2 * increase * wall.gradient + e;
         if (order.size > 0) order[i] = e;
@@ -104,13 +104,13 @@ struct Displace
     static constexpr Holds holds = Stress::present ? Holds::more : Holds::few;
 
     Kernel W;
-    float volume, perPressure;
+    scalar volume, perPressure;
     Span<const Vec3> x;                     // with w = dt^2/rho0 dp
     NeighbourView near;
     Span<Vec3> moved;                       // holds the push before, then where it brings the particle
     Span<const Vec3> internal;              // of the push what should not move the liquid as a whole, may be empty
     WallStop stop;
-    Span<float> pressure;                   // of what has been displaced by: an increase that was only looked at is not in it
+    Span<scalar> pressure;                  // of what has been displaced by: an increase that was only looked at is not in it
     Span<Vec3> total;
     Stress stress;
 
@@ -140,7 +140,7 @@ public:
     CompletedPbf(const Dictionary& controls, Liquid& liquid, Walls& walls, FreeSurface& surface)
     :
         controls_(PressureControls::read(controls, liquid)),
-        ordering_(float(controls.lookupOr("ordering", 1.2))),
+        ordering_(scalar(controls.lookupOr("ordering", 1.2))),
         limits_(controls_),
         surface_(surface),
         plane_(tabulateHalfSpace(liquid.kernel())),
@@ -152,10 +152,10 @@ public:
         if (!surface.active()) surface.require(liquid, walls, FreeSurface::usualSupport(liquid), 0);
     }
 
-    void begin(float dt) override
+    void begin(scalar dt) override
     {
         iterations_ = 0;
-        const float more = controls_.tolerance > 0 ? std::sqrt(std::max(1.0f, capillarySteps(dt))) : 1;
+        const scalar more = controls_.tolerance > 0 ? std::sqrt(std::max(scalar(1), capillarySteps(dt))) : 1;
         limits_.maxIterations = int(std::lround(controls_.maxIterations * more));
         dt_ = dt;
     }
@@ -218,11 +218,11 @@ public:
     }
 
     int iterations() const override { return iterations_; }
-    const Buffer<float>* keepPressure() override { return &pressure_; }
+    const Buffer<scalar>* keepPressure() override { return &pressure_; }
 
 private:
     // dt over the capillary one; 0 without a tension, which leaves a surface that bears no suction.
-    float capillarySteps(float dt) const { return surface_.suction() > 0 ? dt / capillaryStep_ : 0; }
+    scalar capillarySteps(scalar dt) const { return surface_.suction() > 0 ? dt / capillaryStep_ : 0; }
 
     // The increase of the pressure at the predicted positions.
     template<class Stress>
@@ -232,7 +232,7 @@ private:
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                const float V = liquid.particleVolume();
+                const scalar V = liquid.particleVolume();
                 forEachTeam(liquid.owned(), RaisePressure<Kernel, Stress>
                 {
                     W, V, V / liquid.latticeSum(), ordering_, controls_.relaxation, controls_.epsilon,
@@ -276,13 +276,13 @@ private:
     }
 
     PressureControls controls_;
-    float ordering_;
+    scalar ordering_;
     IterationControls limits_;              // of the step
     FreeSurface& surface_;
     Buffer<HalfSpaceValues> plane_;
-    Buffer<float>& pressure_;
-    float capillaryStep_;
-    float dt_ = 0;
+    Buffer<scalar>& pressure_;
+    scalar capillaryStep_;
+    scalar dt_ = 0;
     int iterations_ = 0;
     std::optional<ExtendedLiquid> extended_;
     bool oneAngle_ = false;

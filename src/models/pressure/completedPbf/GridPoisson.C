@@ -30,13 +30,13 @@ HOST_DEVICE inline void forEachStoodFor(const GridBox& fine, GridBox::Place at, 
 struct CoarsenFill
 {
     GridBox fine, coarse;
-    Span<const float> from;
-    Span<float> to;
+    Span<const scalar> from;
+    Span<scalar> to;
 
     HOST_DEVICE void operator()(int i) const
     {
         const GridBox::Place at = coarse.cellAt(i);
-        float sum = 0;
+        scalar sum = 0;
         fine.forEachCellAround({2 * at.x + 1, 2 * at.y + 1, 2 * at.z + 1}, [&](int cell, int, int, int) { sum += from[cell]; });
         to[i] = 0.125f * sum;
     }
@@ -52,7 +52,7 @@ struct OpenCoarse
     HOST_DEVICE void operator()(int i) const
     {
         std::uint8_t open = 0;
-        forEachStoodFor(fine, coarse.nodeAt(i), [&](int node, float) { open |= from[node]; });
+        forEachStoodFor(fine, coarse.nodeAt(i), [&](int node, scalar) { open |= from[node]; });
         to[i] = open;
     }
 };
@@ -62,25 +62,25 @@ struct JoinNodes
 {
     GridBox box, fine;
     Span<const std::uint8_t> open;
-    Span<const float> fill, fineTie;        // fineTie: of the finer level, empty at the finest
+    Span<const scalar> fill, fineTie;       // fineTie: of the finer level, empty at the finest
     Span<NodeEdges> edges;
-    Span<float> tie;
+    Span<scalar> tie;
 
     HOST_DEVICE void operator()(int i) const
     {
         const GridBox::Place at = box.nodeAt(i);
-        float along[6] = {}, all = 0;
+        scalar along[6] = {}, all = 0;
         box.forEachCellAround(at, [&](int cell, int sx, int sy, int sz)
         {
-            const float f = fill[cell];
+            const scalar f = fill[cell];
             all += f;
             along[sx < 0 ? 0 : 1] += f;
             along[sy < 0 ? 2 : 3] += f;
             along[sz < 0 ? 4 : 5] += f;
         });
-        constexpr float nothing = 1e-4f;
-        float own = 0;
-        if (fineTie.size > 0) forEachStoodFor(fine, at, [&](int node, float weight) { own += 0.5f * weight * fineTie[node]; });
+        constexpr scalar nothing = 1e-4f;
+        scalar own = 0;
+        if (fineTie.size > 0) forEachStoodFor(fine, at, [&](int node, scalar weight) { own += 0.5f * weight * fineTie[node]; });
         const bool isOpen = open[i] && all > nothing;
         edges[i] = {0.25f * along[0], 0.25f * along[2], 0.25f * along[4], isOpen ? 0.75f * all + own : 0};
         if (isOpen)
@@ -100,11 +100,11 @@ struct JoinNodes
 
 // Of w q; the edges to the next nodes below are these nodes'.
 template<class Values>
-HOST_DEVICE inline float sumOfNeighbours(const GridBox& box, GridBox::Place at, int k, Span<const NodeEdges> edges, Values q)
+HOST_DEVICE inline scalar sumOfNeighbours(const GridBox& box, GridBox::Place at, int k, Span<const NodeEdges> edges, Values q)
 {
     const int alongY = box.x + 1, alongZ = alongY * (box.y + 1);
     const NodeEdges own = edges[k];
-    float sum = 0;
+    scalar sum = 0;
     if (at.x < box.x) sum += own.x * q[k + 1];
     if (at.y < box.y) sum += own.y * q[k + alongY];
     if (at.z < box.z) sum += own.z * q[k + alongZ];
@@ -120,8 +120,8 @@ struct Sweep
     GridBox box;
     int colour;
     Span<const NodeEdges> edges;
-    Span<const float> source;
-    Span<float> q;
+    Span<const scalar> source;
+    Span<scalar> q;
 
     HOST_DEVICE static int inRow(const GridBox& box) { return box.x / 2 + 1; }
 
@@ -131,7 +131,7 @@ struct Sweep
         const int x = 2 * (i % half) + ((y + z + colour) & 1);
         if (x > box.x) return;
         const int k = box.node(x, y, z);
-        const float sum = edges[k].sum;
+        const scalar sum = edges[k].sum;
         if (sum > 0) q[k] = (source[k] + sumOfNeighbours(box, {x, y, z}, k, edges, q)) / sum;
     }
 };
@@ -140,12 +140,12 @@ struct Residual
 {
     GridBox box;
     Span<const NodeEdges> edges;
-    Span<const float> source, q;
-    Span<float> residual;
+    Span<const scalar> source, q;
+    Span<scalar> residual;
 
     HOST_DEVICE void operator()(int k) const
     {
-        const float sum = edges[k].sum;
+        const scalar sum = edges[k].sum;
         residual[k] = sum > 0 ? source[k] + sumOfNeighbours(box, box.nodeAt(k), k, edges, q) - sum * q[k] : 0;
     }
 };
@@ -155,16 +155,16 @@ struct Restrict
 {
     GridBox fine, coarse;
     Span<const NodeEdges> edges;            // coarse
-    Span<const float> residual;
-    Span<float> source, q;
+    Span<const scalar> residual;
+    Span<scalar> source, q;
 
     HOST_DEVICE void operator()(int i) const
     {
         q[i] = 0;
         source[i] = 0;
         if (edges[i].sum == 0) return;
-        float sum = 0;
-        forEachStoodFor(fine, coarse.nodeAt(i), [&](int node, float weight) { sum += weight * residual[node]; });
+        scalar sum = 0;
+        forEachStoodFor(fine, coarse.nodeAt(i), [&](int node, scalar weight) { sum += weight * residual[node]; });
         source[i] = 0.5f * sum;
     }
 };
@@ -173,14 +173,14 @@ struct Prolong
 {
     GridBox fine, coarse;
     Span<const NodeEdges> edges;            // fine
-    Span<const float> correction;
-    Span<float> q;
+    Span<const scalar> correction;
+    Span<scalar> q;
 
     HOST_DEVICE void operator()(int i) const
     {
         if (edges[i].sum == 0) return;
         const GridBox::Place at = fine.nodeAt(i);
-        float sum = 0;
+        scalar sum = 0;
         for (int c = at.z / 2; c <= (at.z + 1) / 2; ++c)
         for (int b = at.y / 2; b <= (at.y + 1) / 2; ++b)
         for (int a = at.x / 2; a <= (at.x + 1) / 2; ++a) sum += correction[coarse.node(a, b, c)];
@@ -191,9 +191,9 @@ struct Prolong
 
 struct AtLeastZero
 {
-    Span<float> q;
+    Span<scalar> q;
 
-    HOST_DEVICE void operator()(int i) const { q[i] = fmaxf(q[i], 0); }
+    HOST_DEVICE void operator()(int i) const { q[i] = fmax(q[i], 0); }
 };
 
 }
@@ -210,7 +210,7 @@ void GridPoisson::addLevel(std::size_t level, const GridBox& box)
     l.tie.resizeDiscarding(box.nodes());
 }
 
-void GridPoisson::begin(const GridBox& box, const Buffer<float>& fill, const Buffer<std::uint8_t>& open)
+void GridPoisson::begin(const GridBox& box, const Buffer<scalar>& fill, const Buffer<std::uint8_t>& open)
 {
     addLevel(0, box);
     forEach(box.nodes(), JoinNodes{box, {}, open.span(), fill.span(), {}, levels_[0].edges.span(), levels_[0].tie.span()});

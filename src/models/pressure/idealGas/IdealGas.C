@@ -20,12 +20,12 @@ namespace
 
 struct IdealGas
 {
-    float stiffness;                    // rho0 k/2
+    scalar stiffness;                   // rho0 k/2
 
-    IdealGas(float restDensity, float c) : stiffness(restDensity * c * c) {}
+    IdealGas(scalar restDensity, scalar c) : stiffness(restDensity * c * c) {}
 
-    HOST_DEVICE float pressure(float D) const { return stiffness * (D - 1); }
-    HOST_DEVICE float share(float p, float D, float otherD) const { return p / (D * otherD); }
+    HOST_DEVICE scalar pressure(scalar D) const { return stiffness * (D - 1); }
+    HOST_DEVICE scalar share(scalar p, scalar D, scalar otherD) const { return p / (D * otherD); }
 };
 
 const PressureTable::Add<CompressiblePressure<IdealGas>> registered{"idealGas"};

@@ -13,7 +13,7 @@ class NoPressure : public Pressure
 public:
     NoPressure(const Dictionary& dict, Liquid&, Walls&, FreeSurface&) { dict.markUsed(); }
 
-    void begin(float) override {}
+    void begin(scalar) override {}
     bool violated(Liquid&, const Neighbourhood&, const Walls&) override { return false; }
     void correct(Liquid&, const Neighbourhood&, const Walls&) override {}
     int iterations() const override { return 0; }

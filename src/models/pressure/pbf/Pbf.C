@@ -31,34 +31,34 @@ template<class Kernel>
 struct Multiplier
 {
     Kernel W;
-    float volume, densityVolume;        // V, V/S
-    float epsilon;
+    scalar volume, densityVolume;       // V, V/S
+    scalar epsilon;
     bool selfGradient, unilateral;
     Span<const Vec3> x;
     NeighbourView near;
     WallView walls;
-    Span<float> density, multiplier;
+    Span<scalar> density, multiplier;
 
     HOST_DEVICE void operator()(int i) const
     {
         const Vec3 xi = x[i];
         ConstraintSums sums = constraintSums(W, volume, i, x, near);
         const auto wall = walls.surfaces.density(xi);
-        float solid = wall.value;
+        scalar solid = wall.value;
         sums.squares += squared(wall.gradient);
         sums.gradient += wall.gradient;
         walls.particles.near.forEach(i, [&](int k)
         {
             const Vec3 r = xi - walls.particles.position[k];
-            const float distance = norm(r);
+            const scalar distance = norm(r);
             solid += walls.particles.volume[k] * W.W(distance);
             const Vec3 gradient = walls.particles.volume[k] * W.g(distance) * r;
             sums.squares += squared(gradient);
             sums.gradient += gradient;
         });
         density[i] = densityVolume * sums.W + solid;
-        float C = density[i] - 1;
-        if (unilateral) C = fmaxf(C, 0);
+        scalar C = density[i] - 1;
+        if (unilateral) C = fmax(C, 0);
         multiplier[i] = C / (sums.squares + (selfGradient ? squared(sums.gradient) : 0) + epsilon);
     }
 };
@@ -67,17 +67,17 @@ template<class Kernel>
 struct Correction
 {
     Kernel W;
-    float volume, relaxation;
+    scalar volume, relaxation;
     Span<const Vec3> x;
     NeighbourView near;
     WallView walls;
-    Span<const float> multiplier;
+    Span<const scalar> multiplier;
     Span<Vec3> corrected;
 
     HOST_DEVICE void operator()(int i) const
     {
         const Vec3 xi = x[i];
-        const float si = multiplier[i];
+        const scalar si = multiplier[i];
         Vec3 step = si * walls.surfaces.density(xi).gradient;
         near.forEach(i, [&](int j)
         {
@@ -101,10 +101,10 @@ public:
         controls_(PressureControls::read(dict, liquid)),
         selfGradient_(dict.lookupOr("selfGradient", true)),
         unilateral_(dict.lookupOr("unilateral", true)),
-        multiplier_(liquid.fields().require<float>({.name = "multiplier", .dimensions = dimensions::none, .sorted = false, .exchanged = true}))
+        multiplier_(liquid.fields().require<scalar>({.name = "multiplier", .dimensions = dimensions::none, .sorted = false, .exchanged = true}))
     {}
 
-    void begin(float dt) override
+    void begin(scalar dt) override
     {
         iterations_ = 0;
         dt_ = dt;
@@ -122,7 +122,7 @@ public:
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                const float V = liquid.particleVolume();
+                const scalar V = liquid.particleVolume();
                 forEach(liquid.owned(), Multiplier<Kernel>
                 {
                     W, V, V / liquid.latticeSum(), controls_.epsilon, selfGradient_, unilateral_,
@@ -153,7 +153,7 @@ public:
         liquid.predicted.swap(corrected_);
         if (keepsPressure_)
         {
-            const float factor = controls_.relaxation * liquid.restDensity() / (dt_ * dt_);
+            const scalar factor = controls_.relaxation * liquid.restDensity() / (dt_ * dt_);
             forEach(liquid.owned(), AddPressure{factor, multiplier_.span(), pressure_.span()});
         }
     }
@@ -163,7 +163,7 @@ public:
 
     // p_i = w rho0/dt^2 times the sum of s_i over the iterations: what (6) moves a particle by is the SPH gradient of
     // dt^2 p/rho0.
-    const Buffer<float>* keepPressure() override
+    const Buffer<scalar>* keepPressure() override
     {
         keepsPressure_ = true;
         return &pressure_;
@@ -173,10 +173,10 @@ private:
     PressureControls controls_;
     bool selfGradient_, unilateral_;
     int iterations_ = 0;
-    Buffer<float>& multiplier_;
-    float dt_ = 0;
+    Buffer<scalar>& multiplier_;
+    scalar dt_ = 0;
     bool keepsPressure_ = false;
-    Buffer<float> pressure_;
+    Buffer<scalar> pressure_;
     Buffer<Vec3> corrected_;
     AverageCompression compression_;
 };

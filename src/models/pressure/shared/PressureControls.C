@@ -5,13 +5,13 @@
 namespace shizuku
 {
 
-float bulkSquares(const Liquid& liquid)
+scalar bulkSquares(const Liquid& liquid)
 {
     return std::visit
     (
         [&](const auto& W)
         {
-            const auto square = [&](float r) { return W.g(r) * r * W.g(r) * r; };
+            const auto square = [&](scalar r) { return W.g(r) * r * W.g(r) * r; };
             return liquid.particleVolume() * latticeSum(liquid.spacing(), W.h, square);
         },
         liquid.kernel()
@@ -21,8 +21,8 @@ float bulkSquares(const Liquid& liquid)
 PressureControls PressureControls::read(const Dictionary& dict, const Liquid& liquid)
 {
     PressureControls c{IterationControls::read(dict, {2, 10, 1e-3}), 0, 0};
-    c.relaxation = float(dict.lookupOr("relaxation", 0.3));
-    c.epsilon = float(dict.lookupOr("epsilon", 1e-3)) * bulkSquares(liquid);
+    c.relaxation = scalar(dict.lookupOr("relaxation", 0.3));
+    c.epsilon = scalar(dict.lookupOr("epsilon", 1e-3)) * bulkSquares(liquid);
     refuseIf(!(c.relaxation > 0 && c.relaxation < 2), dict, "relaxation", "more than 0 and less than 2");
     refuseIf(!(c.epsilon >= 0), dict, "epsilon", "0 or more");
     return c;

@@ -23,9 +23,9 @@ constexpr Dimensions cohesionDimensions{{0, 3, -2, 0, 0, 0, 0}};
 struct KernelForce
 {
     CubicSpline W;
-    float h, kappa;
+    scalar h, kappa;
 
-    HOST_DEVICE float operator()(float r) const { return kappa * W.W(r) * r; }
+    HOST_DEVICE scalar operator()(scalar r) const { return kappa * W.W(r) * r; }
 };
 
 KernelForce readForce(const Dictionary& coeffs, const Liquid& liquid)

@@ -20,9 +20,9 @@ namespace
 
 struct PotentialForce
 {
-    float h, d, C;
+    scalar h, d, C;
 
-    HOST_DEVICE float operator()(float r) const { return r < h ? C * (r - d) * (h - r) : 0; }
+    HOST_DEVICE scalar operator()(scalar r) const { return r < h ? C * (r - d) * (h - r) : 0; }
 };
 
 // -sum phi of the cut over C d^3, for d = 1: a pair that reaches down k layers belongs to k cuts.

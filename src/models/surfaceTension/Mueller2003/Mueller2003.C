@@ -22,38 +22,38 @@ namespace
 
 struct Poly6
 {
-    float h, scale;
+    scalar h, scale;
 
-    explicit Poly6(float support) : h(support), scale(945 / (32 * kernels::pi * support * support * support)) {}
+    explicit Poly6(scalar support) : h(support), scale(945 / (32 * kernels::pi * support * support * support)) {}
 
     // W'(r)/r and lap W, times h^2.
-    HOST_DEVICE float g(float q2) const { return q2 < 1 ? -scale * (1 - q2) * (1 - q2) : 0; }
-    HOST_DEVICE float laplacian(float q2) const { return q2 < 1 ? -scale * (1 - q2) * (3 - 7 * q2) : 0; }
+    HOST_DEVICE scalar g(scalar q2) const { return q2 < 1 ? -scale * (1 - q2) * (1 - q2) : 0; }
+    HOST_DEVICE scalar laplacian(scalar q2) const { return q2 < 1 ? -scale * (1 - q2) * (3 - 7 * q2) : 0; }
 };
 
 struct ColourForce
 {
     Poly6 W;
-    float volume, sigma, restDensity, least;        // least: of |n|
+    scalar volume, sigma, restDensity, least;       // least: of |n|
     Span<const Vec3> x;
-    Span<const float> density;
+    Span<const scalar> density;
     NeighbourView near;
     Span<Vec3> acceleration;
 
     HOST_DEVICE void operator()(int i) const
     {
         const Vec3 xi = x[i];
-        const float perSquare = 1 / (W.h * W.h);
-        float laplacian = volume / density[i] * W.laplacian(0);
+        const scalar perSquare = 1 / (W.h * W.h);
+        scalar laplacian = volume / density[i] * W.laplacian(0);
         Vec3 n;
         near.forEach(i, [&](int j)
         {
             const Vec3 r = xi - x[j];
-            const float q2 = squared(r) * perSquare, share = volume / density[j];
+            const scalar q2 = squared(r) * perSquare, share = volume / density[j];
             n += share * W.g(q2) * perSquare * r;
             laplacian += share * W.laplacian(q2);
         });
-        const float length = norm(n);
+        const scalar length = norm(n);
         if (length <= least) return;
         acceleration[i] -= sigma * laplacian * perSquare / (length * restDensity * density[i]) * n;
     }
@@ -73,7 +73,7 @@ public:
             throw FatalInputError(coeffs.where("threshold"), "The threshold is out of range", "between 0 and 1");
         }
         // At a planar surface |grad c| is the area integral of W, 315/(256 h) for poly6.
-        least_ = float(threshold) * 315 / (256 * W_.h);
+        least_ = scalar(threshold) * 315 / (256 * W_.h);
     }
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
@@ -88,7 +88,7 @@ public:
 
 private:
     Poly6 W_;
-    float sigma_, least_ = 0;
+    scalar sigma_, least_ = 0;
 };
 
 const SurfaceTensionTable::Add<Mueller2003> registered{"Mueller2003"};

@@ -22,9 +22,9 @@ constexpr Dimensions forceDimensions{{1, 1, -2, 0, 0, 0, 0}};
 
 struct CosineForce
 {
-    float h, scale;
+    scalar h, scale;
 
-    HOST_DEVICE float operator()(float r) const { return r < h ? -scale * cosf(1.5f * kernels::pi * r / h) : 0; }
+    HOST_DEVICE scalar operator()(scalar r) const { return r < h ? -scale * cos(1.5f * kernels::pi * r / h) : 0; }
 };
 
 CosineForce readForce(const Dictionary& coeffs, const Liquid& liquid)

@@ -53,10 +53,10 @@ namespace shizuku
 namespace
 {
 
-constexpr float sharpest = 0.7f;            // largest |kappa|, times the spacing
-constexpr float holds = 1.5f;               // lowest pressure at a hollow surface, over sigma kappa
-constexpr float trusted = 4;                // kappa' from which a single kappa stands, over its distance from kappa'
-constexpr float flattest = 0.05f;           // least sin(theta) for the distance from the contact line
+constexpr scalar sharpest = 0.7f;           // largest |kappa|, times the spacing
+constexpr scalar holds = 1.5f;              // lowest pressure at a hollow surface, over sigma kappa
+constexpr scalar trusted = 4;               // kappa' from which a single kappa stands, over its distance from kappa'
+constexpr scalar flattest = 0.05f;          // least sin(theta) for the distance from the contact line
 
 HOST_DEVICE inline auto onSameSurface(Vec3 mi, Vector auto mj) { return squared(mj) > 0.25f && dot(mi, mj) >= 0; }
 
@@ -64,14 +64,14 @@ HOST_DEVICE inline auto onSameSurface(Vec3 mi, Vector auto mj) { return squared(
 struct SmoothNormal
 {
     WendlandC2 W;
-    float steepest;                         // the planar |G|
+    scalar steepest;                        // the planar |G|
     FreeSurfaceView surface;
     SelectedSearch near;
     Span<Vec3> normal;                      // with w = b; zero away from the surface
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
-        const float least = leastSlope * steepest;
+        const scalar least = leastSlope * steepest;
         GroupOfParticles group{};
         Vec3 own[Group::most];
         #pragma unroll
@@ -102,20 +102,20 @@ struct SmoothNormal
 struct Curvature
 {
     WendlandC2 W;
-    float volume, largest;
+    scalar volume, largest;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                // with w = b
     SelectedSearch near;                    // among positions with w = depth
     Span<const std::uint32_t> selected;
     ExtendedLiquidView extended;
     WallView walls;
-    Span<float> curvature;                  // meaningless away from the surface
+    Span<scalar> curvature;                 // meaningless away from the surface
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
         GroupOfParticles group{};
         Vec3 normals[Group::most];
-        float own[Group::most];
+        scalar own[Group::most];
         #pragma unroll
         for (int p = 0; p < Group::most; ++p)
         {
@@ -124,7 +124,7 @@ struct Curvature
             own[p] = near.points[places[p]].w;
             if (p < places.size && squared(normals[p]) > 0) group.members |= 1u << p;
         }
-        Team::Float spreads[Group::most] = {}, weights[Group::most] = {}, depths[Group::most] = {};
+        Team::Scalar spreads[Group::most] = {}, weights[Group::most] = {}, depths[Group::most] = {};
         near.forEach(group, [&](auto l) { return normal[l]; }, [&](int p, auto other, auto r)
         {
             const auto same = onSameSurface(normals[p], other);
@@ -137,7 +137,7 @@ struct Curvature
             weights[p] += along;
             depths[p] += along * 0.5f * (own[p] + r.w);
         }, team);
-        const float spread = team.sums(spreads), weight = team.sums(weights), depth = team.sums(depths);
+        const scalar spread = team.sums(spreads), weight = team.sums(weights), depth = team.sums(depths);
         if ((group.members >> team.lane & 1) == 0) return;
         const int k = places.first + team.lane;
         addWalls(k, spread, weight, depth);
@@ -145,27 +145,27 @@ struct Curvature
 
 private:
     // The walls' part, and what comes of all.
-    HOST_DEVICE void addWalls(int k, float spread, float weight, float depth) const
+    HOST_DEVICE void addWalls(int k, scalar spread, scalar weight, scalar depth) const
     {
         const int i = int(selected[k]);
         const Vec3 xi = near.points[k], mi = normal[k];
-        const float own = xi.w;
+        const scalar own = xi.w;
         const ContactLine line = surface.contact[k];
         walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
         {
             if (a != line.wall) return;
             const WedgeIntegrals wedge = extended(line.theta, wall.distance / W.h, line.depth / W.h);
             const Vec3 slope = 1 / W.h * (wedge.tangential * line.tangent + wedge.normal * wall.normal);
-            const float sine = sinf(line.theta), cosine = cosf(line.theta);
+            const scalar sine = sin(line.theta), cosine = cos(line.theta);
             const Vec3 upward = sine * wall.normal - cosine * line.tangent;
-            const float fromLine = (wall.distance + cosine * line.depth) / fmaxf(sine, flattest);
-            const float along = fmaxf(0, -fromLine * dot(slope, upward));
+            const scalar fromLine = (wall.distance + cosine * line.depth) / fmax(sine, flattest);
+            const scalar along = fmax(0, -fromLine * dot(slope, upward));
             spread += dot(slope, sine * line.tangent + cosine * wall.normal - mi);
             weight += along;
             depth += along * own;
         });
-        const float kappa = weight > 0 ? fminf(fmaxf(2 * spread / weight, -largest), largest) : 0;
-        curvature[k] = weight > 0 ? kappa / fmaxf(0.3f, 1 + 0.5f * kappa * depth / weight) : 0;
+        const scalar kappa = weight > 0 ? fmin(fmax(2 * spread / weight, -largest), largest) : 0;
+        curvature[k] = weight > 0 ? kappa / fmax(0.3f, 1 + 0.5f * kappa * depth / weight) : 0;
     }
 };
 
@@ -173,13 +173,13 @@ struct Force
 {
     WendlandC2 W;
     SurfaceLayerView layer;
-    float sigma, restDensity, steepest, along;      // along: how much of the part along the surface
+    scalar sigma, restDensity, steepest, along;     // along: how much of the part along the surface
     NeighbourView near;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                        // with w = b
-    Span<const float> curvature;
+    Span<const scalar> curvature;
     Span<Vec3> gradient;                            // with w = the lowest pressure
-    float factor;
+    scalar factor;
     Span<Vec3> target;                              // gets factor times the acceleration
 
     HOST_DEVICE void operator()(int i, Team team) const
@@ -187,8 +187,8 @@ struct Force
         const int k = int(surface.place[i]);
         const Vec3 xi = surface.position[k], mi = normal[k];
         if (squared(mi) == 0) return;
-        const float own = curvature[k], ownWeight = W.W(0) * mi.w;
-        float weight = 0, sum = 0, spread = 0;
+        const scalar own = curvature[k], ownWeight = W.W(0) * mi.w;
+        scalar weight = 0, sum = 0, spread = 0;
         Vec3 slopes = {};
         near.forEach(i, [&](int j)
         {
@@ -197,7 +197,7 @@ struct Force
             const Vec3 other = normal[l];
             if (!onSameSurface(mi, other)) return;
             const Vec3 r = surface.position[l] - xi, t = r - dot(r, mi) * mi;
-            const float w = W.W(norm(r)) * other.w;
+            const scalar w = W.W(norm(r)) * other.w;
             weight += w;
             sum += w * curvature[l];
             slopes += w * (curvature[l] - own) * t;
@@ -208,11 +208,11 @@ struct Force
         weight = team.sum(weight) + ownWeight;
         sum = team.sum(sum) + ownWeight * own;
         if (!team.first()) return;
-        const float mean = weight > 0 ? sum / weight : own, away = fabsf(own - mean);
-        const float u = mean > trusted * away ? 1 : fmaxf(mean, 0) / fmaxf(trusted * away, 1e-20f);
-        const float kappa = mean + u * u * (3 - 2 * u) * (own - mean), jump = sigma * kappa;
+        const scalar mean = weight > 0 ? sum / weight : own, away = fabs(own - mean);
+        const scalar u = mean > trusted * away ? 1 : fmax(mean, 0) / fmax(trusted * away, 1e-20f);
+        const scalar kappa = mean + u * u * (3 - 2 * u) * (own - mean), jump = sigma * kappa;
         const Vec3 G = gradient[k];
-        gradient[k].w = fminf(fmaxf(holds * jump, G.w), 0);
+        gradient[k].w = fmin(fmax(holds * jump, G.w), 0);
         const Vec3 g = spread > 0 ? 2 / spread * slope : Vec3{};
         const Vec3 acceleration = 1 / restDensity * (2 * jump / layer.sum(kappa) * mi.w * G
                                                      - along * sigma * layer.deeper(norm(G) / steepest) * g);
@@ -229,7 +229,7 @@ public:
         sigma_(liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension)),
         capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
     {
-        const float support = float(coeffs.lookupOr("support", double(FreeSurface::usualSupport(liquid))));
+        const scalar support = scalar(coeffs.lookupOr("support", double(FreeSurface::usualSupport(liquid))));
         if (!(support >= FreeSurface::leastSupport(liquid) && support <= 8))
         {
             throw FatalInputError
@@ -249,26 +249,26 @@ public:
     }
 
     // The force sees no positions but those of the free surface.
-    bool move(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt) override
+    bool move(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
         add(liquid, near, walls, dt * dt, liquid.predicted);
         return true;
     }
 
-    void begin(float dt) override { dt_ = dt; }
+    void begin(scalar dt) override { dt_ = dt; }
 
     bool isInternal() const override { return oneAngle_; }
 
 private:
     // Adds factor times the acceleration.
-    void add(const Liquid& liquid, const Neighbourhood& near, const Walls& walls, float factor, Buffer<Vec3>& target)
+    void add(const Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar factor, Buffer<Vec3>& target)
     {
         const WendlandC2 W = surface_.kernel();
-        const float most = sharpest / liquid.spacing();
+        const scalar most = sharpest / liquid.spacing();
         if (!extended_) tabulate(walls, liquid.spacing());
         const int room = surface_.particles().indices.size();
         Buffer<Vec3> normal(room);
-        Buffer<float> curvature(room);
+        Buffer<scalar> curvature(room);
         const FreeSurfaceView view = surface_.view();
         const SelectedSearch among = near.wide(surface_.particles(), surface_.position());
         forEachGroup(surface_.particles(), SmoothNormal
@@ -288,30 +288,30 @@ private:
     }
 
     // Of the part along the surface: less in steps longer than the capillary one.
-    float alongPart() const
+    scalar alongPart() const
     {
-        const float shorter = capillaryStep_ / dt_;
-        return fminf(1, shorter * shorter);
+        const scalar shorter = capillaryStep_ / dt_;
+        return fmin(1, shorter * shorter);
     }
 
     // What the force adds up to, and the wedge's part in the curvature: of what lies near the surface.
-    void tabulate(const Walls& walls, float spacing)
+    void tabulate(const Walls& walls, scalar spacing)
     {
         const WendlandC2 W = surface_.kernel();
         sums_.upload(tabulateSurfaceLayer(W, spacing, sharpest / spacing));
         parts_.upload(tabulateDeeperPart(W));
         const auto plane = tabulateHalfSpace(W);
         const HalfSpaceView view{{plane.data(), int(plane.size())}, W.h};
-        std::vector<float> shares(101);
-        for (int k = 0; k <= 100; ++k) shares[k] = shareOfForce(view(0.01f * float(k) * W.h).gradient / surface_.steepest());
+        std::vector<scalar> shares(101);
+        for (int k = 0; k <= 100; ++k) shares[k] = shareOfForce(view(0.01f * scalar(k) * W.h).gradient / surface_.steepest());
         extended_.emplace(W, walls.contactAngles(W.h), shares);
         oneAngle_ = walls.oneContactAngle();
     }
 
     FreeSurface& surface_;
-    float sigma_;
-    float capillaryStep_, dt_ = 0;          // the step: 0 before the first
-    Buffer<float> sums_, parts_;            // J and psi (SurfaceLayer.H)
+    scalar sigma_;
+    scalar capillaryStep_, dt_ = 0;         // the step: 0 before the first
+    Buffer<scalar> sums_, parts_;           // J and psi (SurfaceLayer.H)
     std::optional<ExtendedLiquid> extended_;
     bool oneAngle_ = false;
 };

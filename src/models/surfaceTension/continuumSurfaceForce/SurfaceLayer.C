@@ -19,14 +19,14 @@ double slopeAt(double r, double R, const WendlandC2& W)
 {
     const double nearest = std::abs(r - R), farthest = std::min<double>(W.h, r + R);
     if (nearest >= farthest) return 0;
-    const auto ring = [&](double d) { return pi / (r * r) * W.W(float(d)) * (r * r + R * R - d * d) * d; };
+    const auto ring = [&](double d) { return pi / (r * r) * W.W(scalar(d)) * (r * r + R * R - d * d) * d; };
     return integrate(nearest, farthest, ring);
 }
 
 // |G| at a depth below a planar surface: the integral of W over the plane.
 double slopeBelow(double depth, const WendlandC2& W)
 {
-    return depth < W.h ? integrate(depth, W.h, [&](double d) { return 2 * pi * d * W.W(float(d)); }) : 0;
+    return depth < W.h ? integrate(depth, W.h, [&](double d) { return 2 * pi * d * W.W(scalar(d)); }) : 0;
 }
 
 double steepestSlope(const WendlandC2& W) { return slopeBelow(0, W); }
@@ -38,7 +38,7 @@ double layersOverWhole(const WendlandC2& W, double spacing)
     const auto force = [&](double depth)
     {
         const double slope = slopeBelow(depth, W);
-        return shareOfForce(float(slope / steepest)) * slope;
+        return shareOfForce(scalar(slope / steepest)) * slope;
     };
     double layers = 0;
     for (double depth = 0.5 * spacing; depth < W.h; depth += spacing) layers += force(depth) * spacing;
@@ -47,7 +47,7 @@ double layersOverWhole(const WendlandC2& W, double spacing)
 
 }
 
-std::vector<float> tabulateSurfaceLayer(const WendlandC2& W, float spacing, float largest)
+std::vector<scalar> tabulateSurfaceLayer(const WendlandC2& W, scalar spacing, scalar largest)
 {
     constexpr int half = 16, parts = 100;
     const double h = W.h, steepest = steepestSlope(W), layered = layersOverWhole(W, spacing);
@@ -59,11 +59,11 @@ std::vector<float> tabulateSurfaceLayer(const WendlandC2& W, float spacing, floa
         for (int k = 0; k < parts; ++k)
         {
             const double slope = slopeAt(R + towards * depth * (k + 0.5) / parts, R, W);
-            sum += 2 * shareOfForce(float(slope / steepest)) * slope * depth / parts;
+            sum += 2 * shareOfForce(scalar(slope / steepest)) * slope * depth / parts;
         }
-        return float(layered * sum);
+        return scalar(layered * sum);
     };
-    std::vector<float> table(2 * half + 1);
+    std::vector<scalar> table(2 * half + 1);
     for (int k = 1; k <= half; ++k)
     {
         table[half + k] = layer(largest * k / half);
@@ -73,22 +73,22 @@ std::vector<float> tabulateSurfaceLayer(const WendlandC2& W, float spacing, floa
     return table;
 }
 
-std::vector<float> tabulateDeeperPart(const WendlandC2& W)
+std::vector<scalar> tabulateDeeperPart(const WendlandC2& W)
 {
     constexpr int entries = 65, layers = 4000;
     const double thickness = W.h / double(layers), steepest = steepestSlope(W);
-    std::vector<float> table(entries);
+    std::vector<scalar> table(entries);
     double slope = 0, force = 0;
     int entry = 0;
     for (int k = layers - 1; k >= 0; --k)           // from deep inside outwards, where both grow
     {
         const double depth = (k + 0.5) * thickness;
-        slope += 2 * pi * depth * W.W(float(depth)) * thickness;
-        while (entry < entries - 1 && entry <= slope / steepest * (entries - 1)) table[entry++] = float(force);
-        force += shareOfForce(float(slope / steepest)) * slope * thickness;
+        slope += 2 * pi * depth * W.W(scalar(depth)) * thickness;
+        while (entry < entries - 1 && entry <= slope / steepest * (entries - 1)) table[entry++] = scalar(force);
+        force += shareOfForce(scalar(slope / steepest)) * slope * thickness;
     }
-    while (entry < entries) table[entry++] = float(force);
-    for (float& part : table) part /= float(force);
+    while (entry < entries) table[entry++] = scalar(force);
+    for (scalar& part : table) part /= scalar(force);
     return table;
 }
 

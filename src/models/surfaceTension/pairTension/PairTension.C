@@ -15,10 +15,10 @@ template<class Kernel>
 struct Normal
 {
     Kernel W;
-    float volume;
+    scalar volume;
     bool wallShare;
     Span<const Vec3> x;
-    Span<const float> density;
+    Span<const scalar> density;
     NeighbourView near;
     WallView walls;
     Span<Vec3> normal;
@@ -51,21 +51,21 @@ struct Normal
 struct PairForce
 {
     CohesionSpline C;
-    float cohesion, area;               // gamma m, gamma rho_A
+    scalar cohesion, area;              // gamma m, gamma rho_A
     Span<const Vec3> x, normal;
-    Span<const float> density;
+    Span<const scalar> density;
     NeighbourView near;
     Span<Vec3> acceleration;
 
     HOST_DEVICE void operator()(int i) const
     {
         const Vec3 xi = x[i], ni = normal[i];
-        const float densityI = density[i];
+        const scalar densityI = density[i];
         Vec3 sum;
         near.forEach(i, [&](int j)
         {
             const Vec3 r = xi - x[j];
-            const float distance = norm(r), K = 2 / (densityI + density[j]);
+            const scalar distance = norm(r), K = 2 / (densityI + density[j]);
             if (distance > 0) sum -= K * cohesion * C(distance) / distance * r;
             sum -= K * area * (ni - normal[j]);
         });

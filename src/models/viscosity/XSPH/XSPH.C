@@ -27,11 +27,11 @@ template<class Kernel>
 struct Smooth
 {
     Kernel W;
-    float c, volume;
+    scalar c, volume;
     Span<const Vec3> x, velocity;
     NeighbourView near;
     bool noSlip;
-    float slipAbove;
+    scalar slipAbove;
     WallView walls;
     Span<Vec3> smoothed;
 
@@ -42,7 +42,7 @@ struct Smooth
         near.forEach(i, xi, x, [&](auto j, auto r) { sum += W.W(norm(r)) * (velocity[j] - ui); }, team);
         Vec3 change = volume * team.sum(sum);
         if (!team.first()) return;
-        if (noSlip) change -= walls.density(i, xi, W) * fminf(slipAbove / norm(ui), 1) * ui;
+        if (noSlip) change -= walls.density(i, xi, W) * fmin(slipAbove / norm(ui), 1) * ui;
         smoothed[i] = ui + c * change;
     }
 };
@@ -58,7 +58,7 @@ public:
     {
         const double slips = noSlip_ ? coeffs.lookupOr("slipAbove", 0.0) : 0;
         if (!(slips >= 0)) throw FatalInputError(coeffs.where("slipAbove"), "The speed slipAbove is negative", "0 or more, spacings a capillary step");
-        if (slips > 0) slipAbove_ = float(slips) * liquid.spacing() / capillaryStep_;
+        if (slips > 0) slipAbove_ = scalar(slips) * liquid.spacing() / capillaryStep_;
         for (const auto& [entry, value] : {std::pair("perCapillaryStep", double(perCapillaryStep_)), std::pair("slipAbove", slips)})
         {
             if (value == 0 || liquid.properties().surfaceTension > 0) continue;
@@ -70,7 +70,7 @@ public:
         }
     }
 
-    void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt) override
+    void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
         Buffer<Vec3> smoothed(liquid.all());
         std::visit
@@ -89,18 +89,18 @@ public:
     }
 
 private:
-    static float shareOf(const Dictionary& coeffs, const std::string& entry, double fallback)
+    static scalar shareOf(const Dictionary& coeffs, const std::string& entry, double fallback)
     {
         const double share = coeffs.lookupOr(entry, fallback);
-        if (share >= 0 && share <= 1) return float(share);
+        if (share >= 0 && share <= 1) return scalar(share);
         throw FatalInputError(coeffs.where(entry), "Coefficient " + entry + " is out of range", "0 to 1");
     }
 
-    float share(float dt) const { return float(smoothingShare(c_, perCapillaryStep_, dt / capillaryStep_)); }
+    scalar share(scalar dt) const { return scalar(smoothingShare(c_, perCapillaryStep_, dt / capillaryStep_)); }
 
-    float c_, perCapillaryStep_;
+    scalar c_, perCapillaryStep_;
     bool noSlip_;
-    float capillaryStep_, slipAbove_ = std::numeric_limits<float>::infinity();      // scaled
+    scalar capillaryStep_, slipAbove_ = std::numeric_limits<scalar>::infinity();    // scaled
 };
 
 const ViscosityTable::Add<XSPH> registered{"XSPH"};

@@ -21,14 +21,14 @@ template<class Kernel>
 struct Diffuse
 {
     Kernel W;
-    float nuDt, volume;
+    scalar nuDt, volume;
     bool noSlip;
     Span<const Vec3> x, velocity;
     NeighbourView near;
     WallView walls;
     Span<Vec3> diffused;
 
-    HOST_DEVICE float weight(float r) const { return 2 * r * r * W.g(r) / (r * r + 0.01f * W.h * W.h); }
+    HOST_DEVICE scalar weight(scalar r) const { return 2 * r * r * W.g(r) / (r * r + 0.01f * W.h * W.h); }
 
     HOST_DEVICE void operator()(int i) const
     {
@@ -59,7 +59,7 @@ public:
         nu_(liquid.units().toScaled(liquid.properties().viscosity, dimensions::kinematicViscosity))
     {}
 
-    void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, float dt) override
+    void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
         diffused_.resizeDiscarding(liquid.all());
         std::visit
@@ -81,7 +81,7 @@ public:
 
 private:
     bool noSlip_;
-    float nu_;
+    scalar nu_;
     Buffer<Vec3> diffused_;
 };
 

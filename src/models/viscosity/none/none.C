@@ -12,7 +12,7 @@ class NoViscosity : public Viscosity
 {
 public:
     NoViscosity(const Dictionary&, Liquid&) {}
-    void apply(Liquid&, const Neighbourhood&, const Walls&, float) override {}
+    void apply(Liquid&, const Neighbourhood&, const Walls&, scalar) override {}
 };
 
 const ViscosityTable::Add<NoViscosity> registered{"none"};

@@ -24,22 +24,22 @@ constexpr Dimensions adhesionDimensions{{-1, 4, -2, 0, 0, 0, 0}};
 
 struct AdhesionSpline
 {
-    float h;
+    scalar h;
 
-    HOST_DEVICE float operator()(float r) const
+    HOST_DEVICE scalar operator()(scalar r) const
     {
-        const float q = r / h;
+        const scalar q = r / h;
         if (q <= 0.5f || q > 1) return 0;
-        return 0.007f / (h * h * h) * sqrtf(sqrtf(fmaxf(-4 * q * q + 6 * q - 2, 0)));
+        return 0.007f / (h * h * h) * sqrt(sqrt(fmax(-4 * q * q + 6 * q - 2, 0)));
     }
 };
 
 struct Adhesion
 {
     AdhesionSpline A;
-    float fullBeta;                     // of theta = 0
-    float beta;                         // the case's number; negative: from fullBeta and theta
-    float restDensity;
+    scalar fullBeta;                    // of theta = 0
+    scalar beta;                        // the case's number; negative: from fullBeta and theta
+    scalar restDensity;
     Span<const Vec3> x;
     WallParticlesView solid;
     Span<Vec3> acceleration;
@@ -51,8 +51,8 @@ struct Adhesion
         solid.near.forEach(i, [&](int k)
         {
             const Vec3 r = xi - solid.position[k];
-            const float distance = norm(r);
-            const float strength = beta < 0 ? 0.5f * fullBeta * (1 + solid.cosTheta[k]) : beta;
+            const scalar distance = norm(r);
+            const scalar strength = beta < 0 ? 0.5f * fullBeta * (1 + solid.cosTheta[k]) : beta;
             if (distance > 0) sum -= strength * restDensity * solid.volume[k] * A(distance) / distance * r;
         });
         acceleration[i] += sum;
@@ -76,7 +76,7 @@ public:
         else
         {
             const double ratio = separationIntegral(CohesionSpline{1}) / separationIntegral(AdhesionSpline{1});
-            fullBeta_ = float(ratio * requirePairCoefficients(tension, coeffs).cohesion);
+            fullBeta_ = scalar(ratio * requirePairCoefficients(tension, coeffs).cohesion);
             walls.requireContactAngles();
         }
         if (walls.surfaces() > 0)
@@ -100,7 +100,7 @@ public:
     }
 
 private:
-    float fullBeta_, beta_;
+    scalar fullBeta_, beta_;
 };
 
 const WettingTable::Add<Akinci2013> registered{"Akinci2013"};

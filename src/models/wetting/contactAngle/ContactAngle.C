@@ -28,10 +28,10 @@ struct SolidNormal
 
     Choice choice;
     Kernel W;
-    float volume;
+    scalar volume;
     CellGridView grid;
     Span<const Vec3> x;
-    Span<const float> density;
+    Span<const scalar> density;
 
     HOST_DEVICE Vec3 operator()(Vec3 place, Vec3 wallNormal) const
     {
@@ -52,10 +52,10 @@ struct WallPairForce
 {
     CohesionSpline C;
     PairCoefficients gamma;
-    float restDensity, spacing;
+    scalar restDensity, spacing;
     SolidNormal<Kernel> solidNormal;
     Span<const Vec3> x, normal;
-    Span<const float> density;
+    Span<const scalar> density;
     WallView walls;
     Span<Vec3> acceleration;
 
@@ -67,7 +67,7 @@ struct WallPairForce
         solid.near.forEach(i, [&](int k)
         {
             const Vec3 r = xi - solid.position[k];
-            const float distance = norm(r), share = 0.5f * (1 + solid.cosTheta[k]);
+            const scalar distance = norm(r), share = 0.5f * (1 + solid.cosTheta[k]);
             if (distance > 0)
             {
                 sum -= share * gamma.cohesion * restDensity * solid.volume[k] * C(distance) / distance * r;
@@ -76,9 +76,9 @@ struct WallPairForce
         });
         walls.surfaces.forEach(xi, [&](const WallSurface& surface, const WallSurface::Place& place, const HalfSpaceValues& values)
         {
-            const float share = 0.5f * (1 + surface.cosTheta);
-            const float depth = place.distance + 0.5f * spacing;
-            const float layer = kernels::pi * fmaxf(C.h * C.h - depth * depth, 0) / (spacing * spacing);
+            const scalar share = 0.5f * (1 + surface.cosTheta);
+            const scalar depth = place.distance + 0.5f * spacing;
+            const scalar layer = kernels::pi * fmax(C.h * C.h - depth * depth, 0) / (spacing * spacing);
             sum -= share * gamma.cohesion * restDensity * values.cohesion * place.normal;
             sum -= share * gamma.area * layer * (ni - solidNormal(xi - depth * place.normal, place.normal));
         });

@@ -28,7 +28,7 @@ TEST(Density, IsOneOnTheLattice)
         const auto density = block.inOrder(block.liquid.density);
         for (std::size_t i = 0; i < points.size(); ++i)
         {
-            const float edge = std::max({std::abs(points[i].x), std::abs(points[i].y), std::abs(points[i].z)});
+            const scalar edge = std::max({std::abs(points[i].x), std::abs(points[i].y), std::abs(points[i].z)});
             if (edge < 2)
             {
                 ASSERT_NEAR(density[i], 1, 2e-6) << kernel;
@@ -47,8 +47,8 @@ TEST(Density, OfALoneParticleIsItsOwnShare)
     LiquidCase drop;
     drop.place({{0, 0, 0}, {100, 0, 0}});
     computeDensity(drop.liquid, drop.near, drop.walls);
-    const float own = drop.liquid.particleVolume() * CubicSpline(drop.liquid.support()).W(0) / drop.liquid.latticeSum();
-    for (const float density : drop.liquid.density.download()) EXPECT_FLOAT_EQ(density, own);
+    const scalar own = drop.liquid.particleVolume() * CubicSpline(drop.liquid.support()).W(0) / drop.liquid.latticeSum();
+    for (const scalar density : drop.liquid.density.download()) EXPECT_FLOAT_EQ(density, own);
 }
 
 // Random particles between solid particles and an analytic wall, by all pairs in double precision.
@@ -74,7 +74,7 @@ TEST(Density, AddsTheSharesOfWalls)
     }();
     const auto near = download(drop.walls.view().particles.volume);
     const auto position = download(drop.walls.view().particles.position);
-    const float d = drop.liquid.spacing();
+    const scalar d = drop.liquid.spacing();
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         double expected = 0;

@@ -34,13 +34,13 @@ Motion motionOf(const LiquidCase& drop)
     return {mean, turn};
 }
 
-constexpr float reach = 4;                      // spacings, from which on walls are seen
+constexpr scalar reach = 4;                     // spacings, from which on walls are seen
 
 // A block of 7 x 5 x 3 particles off the origin, the lowest ones so many spacings above z = 0, with velocities of up to 0.1 at
 // random and 0.05 along (1 2 3), made by displacements in a step of 0.01, which are then taken back.
 Motion leftOver
 (
-    const std::string& walls, float height = 0.5f, const std::vector<Vec3>& solidPositions = {}, const std::string& wettability = {}
+    const std::string& walls, scalar height = 0.5f, const std::vector<Vec3>& solidPositions = {}, const std::string& wettability = {}
 )
 {
     LiquidCase drop({.walls = walls, .wettability = wettability, .solidPositions = solidPositions});
@@ -54,8 +54,8 @@ Motion leftOver
         velocities.push_back(random({-0.1f, -0.1f, -0.1f}, {0.1f, 0.1f, 0.1f}) + Vec3{0.05f, 0.1f, 0.15f});
     }
     drop.place(points, velocities);
-    const float dt = 0.01f;
-    const auto part = [&](float share) { return InternalDisplacement{Buffer<Vec3>(drop.liquid.velocity.download()), share * dt}; };
+    const scalar dt = 0.01f;
+    const auto part = [&](scalar share) { return InternalDisplacement{Buffer<Vec3>(drop.liquid.velocity.download()), share * dt}; };
     NetMotion().takeBack(drop.liquid, part(-0.5f), part(1.5f), drop.walls, reach * drop.liquid.spacing(), dt);
     return motionOf(drop);
 }
@@ -75,7 +75,7 @@ TEST(NetMotion, IsNoneOfFreeLiquid)
 // As long as one layer of particles has the plane within reach.
 TEST(NetMotion, StaysAcrossAPlaneAndAboutAxesInIt)
 {
-    for (const float height : {0.5f, reach - 0.1f})
+    for (const scalar height : {scalar(0.5), reach - 0.1f})
     {
         const Motion left = leftOver(floorPlane, height);
         EXPECT_LT(std::hypot(left.mean.x, left.mean.y), rounding);

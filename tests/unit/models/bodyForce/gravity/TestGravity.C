@@ -23,7 +23,7 @@ TEST(Gravity, AddsItsVelocityInEveryStep)
     const double dt = 1e-4;             // s
     for (int step = 0; step < 3; ++step) model->apply(drop.liquid, units.toScaled(dt, dimensions::time));
     const auto velocity = drop.inOrder(drop.liquid.velocity);
-    const auto si = [&](float v) { return units.toSI(v, dimensions::velocity); };
+    const auto si = [&](scalar v) { return units.toSI(v, dimensions::velocity); };
     // Four roundings of single precision.
     EXPECT_NEAR(si(velocity[0].x), 3e-4, 1e-9);
     EXPECT_NEAR(si(velocity[0].y), -6e-4, 1e-9);

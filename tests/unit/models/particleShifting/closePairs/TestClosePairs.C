@@ -28,9 +28,9 @@ std::vector<Vec3> shifted(LiquidCase& drop, ParticleShifting& model, const std::
     return x;
 }
 
-float nearest(const std::vector<Vec3>& points, std::size_t i)
+scalar nearest(const std::vector<Vec3>& points, std::size_t i)
 {
-    float least = 1e30f;
+    scalar least = 1e30f;
     for (std::size_t j = 0; j < points.size(); ++j)
     {
         if (j != i) least = std::min(least, norm(points[i] - points[j]));
@@ -56,12 +56,12 @@ TEST(ClosePairs, AreMovedApartByWhatTheyLack)
         for (std::size_t j = 0; j < points.size(); ++j)
         {
             const Vec3 r = points[i] - points[j];
-            const float apart = norm(r);
+            const scalar apart = norm(r);
             if (i != j && apart < 0.9f) expected += 0.5f * (0.9f - apart) / apart * r;
         }
-        const float far = norm(expected);
+        const scalar far = norm(expected);
         if (far > 0.1f) expected = 0.1f / far * expected;
-        const float r = norm(points[i]);
+        const scalar r = norm(points[i]);
         // Positions of up to 9 spacings in single precision, scaled and back: 1e-6 of these each.
         if (r < 6) { ASSERT_LT(norm(x[i] - points[i] - expected), 1e-5f) << i; }
         if (r > 8.5f) { ASSERT_LT(norm(x[i] - points[i]), 2e-6f) << "at the surface, " << i; }
@@ -97,7 +97,7 @@ TEST(ClosePairs, DissolveTheColumnsOfASqueezedLattice)
     const auto inner = [](const Vec3& p) { return std::fabs(p.x) < 4 && std::fabs(p.y) < 4 && std::fabs(p.z) < 4; };
     const auto closest = [&]
     {
-        std::vector<float> distances;
+        std::vector<scalar> distances;
         for (std::size_t i = 0; i < points.size(); ++i)
         {
             if (inner(points[i])) distances.push_back(nearest(points, i));

@@ -39,12 +39,12 @@ Coefficients coefficientsOf(double c, double near)
 
 }
 
-// All pairs of a random set in double precision, half of (P_i + P_j)(1 - r/h) + (P'_i + P'_j)(1 - r/h)^2. Floats: 1e-4 of the
+// All pairs of a random set in double precision, half of (P_i + P_j)(1 - r/h) + (P'_i + P'_j)(1 - r/h)^2. Scalars: 1e-4 of the
 // largest; the difference of lattices enters k, 1e-3.
 TEST(Clavet2005, EqualsTheSumOverAllPairs)
 {
     const auto points = randomPoints(250, {-3, -3, 0.1f}, {3, 3, 5});
-    constexpr float dt = 0.01f;
+    constexpr scalar dt = 0.01f;
     LiquidCase drop;
     const auto pressure = makePressure(drop, "Clavet2005", "maxSpeed 1; maxDensityVariation 0.04; near 2;");
     drop.place(points);
@@ -87,7 +87,7 @@ TEST(Clavet2005, EqualsTheSumOverAllPairs)
 // A solid particle pushes alike: two particles, one of them solid with V_k = 1/W(0).
 TEST(Clavet2005, TakesSolidParticlesForLiquidThatStays)
 {
-    constexpr float dt = 0.05f;
+    constexpr scalar dt = 0.05f;
     LiquidCase drop({.walls = sampledFloor, .solidPositions = {{0, 0, 0}}});
     const auto pressure = makePressure(drop, "Clavet2005", "maxSpeed 1;");
     drop.place({{0, 0, 1.2f}});

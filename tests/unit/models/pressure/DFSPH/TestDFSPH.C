@@ -8,12 +8,12 @@ using namespace shizuku::test;
 namespace
 {
 
-constexpr float dt = 0.05f;
+constexpr scalar dt = 0.05f;
 
 // A ball of radius 5 that shrinks and turns: velocities in scaled units.
 const auto ball = latticeBall(5);
 
-std::vector<Vec3> shrinking(float rate)
+std::vector<Vec3> shrinking(scalar rate)
 {
     std::vector<Vec3> u;
     for (const Vec3& x : ball) u.push_back(Vec3{-rate * x.x - 0.3f * x.y, -rate * x.y + 0.3f * x.x, -rate * x.z});
@@ -100,7 +100,7 @@ TEST(DFSPH, HoldsTheDensityThatTheWayLeadsTo)
     for (auto& [drop, system] : pressureCases(randomPoints(250, {-3, -3, 0.1f}, {3, 3, 5})))
     {
         std::vector<Vec3> points;
-        for (const Vector3& x : system.liquid) points.push_back({float(1e3 * x.x), float(1e3 * x.y), float(1e3 * x.z)});
+        for (const Vector3& x : system.liquid) points.push_back({scalar(1e3 * x.x), scalar(1e3 * x.y), scalar(1e3 * x.z)});
         const auto pressure = makePressure(*drop, "DFSPH", "tolerance 1e-3; maxIterations 400;");
         drop->place(points);
         const auto start = drop->inOrder(drop->liquid.position);

@@ -10,7 +10,7 @@ using namespace shizuku::test;
 TEST(PCISPH, MakesTheFirstIterationOfThePaper)
 {
     const auto points = randomPoints(250, {-3, -3, 0.1f}, {3, 3, 5});
-    constexpr float dt = 0.05f;
+    constexpr scalar dt = 0.05f;
     for (auto& [drop, system] : pressureCases(points))
     {
         const auto pressure = makePressure(*drop, "PCISPH", "minIterations 1; maxIterations 1;");
@@ -48,14 +48,14 @@ TEST(PCISPH, ExpandsACompressedBlockToTheTolerance)
     EXPECT_GE(iterations, 3);
     EXPECT_LT(iterations, 50);
     double sum = 0;
-    for (const float density : drop.liquid.density.download()) sum += std::max(density - 1, 0.0f);
+    for (const scalar density : drop.liquid.density.download()) sum += std::max(density - 1, scalar(0));
     EXPECT_LE(sum / drop.liquid.owned(), 1e-3);
 }
 
 // An iteration adds what the change of p adds, so that forces between iterations stay in: the paper starts anew each time.
 TEST(PCISPH, IsLinearInItsPressure)
 {
-    constexpr float dt = 0.05f;
+    constexpr scalar dt = 0.05f;
     LiquidCase drop;
     const auto pressure = makePressure(drop, "PCISPH", "minIterations 4; maxIterations 4; tolerance 0;");
     const auto points = latticeBlock(6, 6, 6, 0.97f);

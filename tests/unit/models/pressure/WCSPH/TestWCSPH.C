@@ -9,7 +9,7 @@ namespace
 // 250 points in 180 cells: most of them compressed, some alone.
 const auto points = randomPoints(250, {-3, -3, 0.1f}, {3, 3, 5});
 
-constexpr float dt = 0.01f;              // scaled; moves the most compressed particle by about a spacing
+constexpr scalar dt = 0.01f;             // scaled; moves the most compressed particle by about a spacing
 
 }
 
@@ -55,7 +55,7 @@ TEST(WCSPH, TakesItsForcesAtTheBeginningOfTheStep)
         return accelerationsSince(before, drop, 1);
     };
     const auto first = moves(), second = moves();
-    float most = 0;
+    scalar most = 0;
     for (const Vec3& way : first) most = std::max(most, norm(way));
     EXPECT_GT(most, 0.01f);
     for (std::size_t i = 0; i < first.size(); ++i) ASSERT_NEAR(norm(second[i] - first[i]), 0, 2e-6);    // of positions up to 6
@@ -74,9 +74,9 @@ TEST(WCSPH, LeavesALatticeAlone)
         const auto before = drop.inOrder(drop.liquid.predicted);
         iterate(*pressure, drop, 0.01f);
         const auto a = accelerationsSince(before, drop, 0.01f);
-        float most = 0;
+        scalar most = 0;
         for (const Vec3& accelerated : a) most = std::max(most, norm(accelerated));
-        const float c2 = std::pow(drop.liquid.units().toScaled(10, dimensions::velocity), 2);
+        const scalar c2 = std::pow(drop.liquid.units().toScaled(10, dimensions::velocity), 2);
         EXPECT_EQ(most > 0.01f * c2, closer);       // c^2/d and the relative compression, here some 1e-6 or tenths
     }
 }

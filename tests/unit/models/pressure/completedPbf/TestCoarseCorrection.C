@@ -19,7 +19,7 @@ CaseText tank()
 }
 
 // A column of water in a tank that is just as wide, so many spacings deep, pressed together along its height.
-std::vector<Vec3> pressedColumn(float spacing)
+std::vector<Vec3> pressedColumn(scalar spacing)
 {
     std::vector<Vec3> points;
     for (const Vec3& x : latticeBlock(across, across, deep, 1, {0.5f, 0.5f, 0.5f})) points.push_back({x.x, x.y, x.z * spacing});
@@ -46,7 +46,7 @@ Outcome stepOf(const std::vector<Vec3>& points, const std::string& controls, int
         for (Vec3& x : after) x = 1 / drop.liquid.spacing() * x;
     }
     Outcome outcome;
-    for (const float density : drop.liquid.density.download()) outcome.compression += (density - 1) / double(points.size());
+    for (const scalar density : drop.liquid.density.download()) outcome.compression += (density - 1) / double(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         outcome.rise += (after[i].z - points[i].z) / double(points.size());
@@ -61,7 +61,7 @@ Outcome stepOf(const std::vector<Vec3>& points, const std::string& controls, int
 TEST(CoarseCorrection, ExpandsADeepColumn)
 {
     const std::string eight = "minIterations 8; maxIterations 8; tolerance 0;";
-    for (const float pressed : {0.005f, 0.01f, 0.015f, 0.02f})
+    for (const scalar pressed : {0.005f, 0.01f, 0.015f, 0.02f})
     {
         const auto points = pressedColumn(1 - pressed);
         const Outcome without = stepOf(points, eight), with = stepOf(points, eight + " coarseGrid yes;");

@@ -20,15 +20,15 @@ std::unique_ptr<SurfaceTension> makeTension(LiquidCase& drop)
 }
 
 // The largest pull that the tension allows, sigma/d.
-float suctionOf(const Liquid& liquid)
+scalar suctionOf(const Liquid& liquid)
 {
     return liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension) / liquid.spacing();
 }
 
-double averageOf(const std::vector<float>& density, double (*error)(double))
+double averageOf(const std::vector<scalar>& density, double (*error)(double))
 {
     double sum = 0;
-    for (const float value : density) sum += error(value);
+    for (const scalar value : density) sum += error(value);
     return sum / double(density.size());
 }
 
@@ -86,7 +86,7 @@ TEST(CompletedPbf, TakesALatticeInATankToBeAtRest)
 // average. A flat sampled wall is the same plane, so densities differ by roundings.
 TEST(CompletedPbf, TakesADropOnAWallToBeAtRest)
 {
-    std::vector<float> onAnalytic;
+    std::vector<scalar> onAnalytic;
     for (const bool sampled : {false, true})
     {
         LiquidCase drop(caseOnFloor(sampled ? latticeBlock(33, 33, 1, 1, {-16, -16, -0.5f}) : std::vector<Vec3>()));
@@ -146,7 +146,7 @@ TEST(CompletedPbf, RaisesThePressureByItsFormula)
         disorder(points, 0.15f, random);
         drop.place(points);
         const auto surface = surfaceStates(drop);
-        const Buffer<float>* field = pressure->keepPressure();
+        const Buffer<scalar>* field = pressure->keepPressure();
         ASSERT_NE(field, nullptr);
         pressure->begin(dt);
         ASSERT_TRUE(pressure->violated(drop.liquid, drop.near, drop.walls));
@@ -156,7 +156,7 @@ TEST(CompletedPbf, RaisesThePressureByItsFormula)
 
         // Lengths in spacings, in which V = 1; squares of gradients in 1/d^2.
         const Reference<CubicSpline> W{2};
-        const float d = drop.liquid.spacing();
+        const scalar d = drop.liquid.spacing();
         double latticeSum = 0, bulk = 0;
         for (const Vec3& r : latticeBlock(5, 5, 5, 1, {-2, -2, -2}))
         {
@@ -193,8 +193,8 @@ TEST(CompletedPbf, RaisesThePressureByItsFormula)
         EXPECT_GT(raised, 50);
         EXPECT_EQ(lowered > 50, tension);
         // A short step finds the bound, a long one stays above it.
-        const float least = *std::min_element(p.begin(), p.end());
-        EXPECT_EQ(least == float(lowest), !(tension && dt == 2)) << least;
+        const scalar least = *std::min_element(p.begin(), p.end());
+        EXPECT_EQ(least == scalar(lowest), !(tension && dt == 2)) << least;
     }
 }
 
@@ -202,9 +202,9 @@ TEST(CompletedPbf, RaisesThePressureByItsFormula)
 // columns that no other wall reaches, in a tank of jittered liquid. The table's gradient is interpolated to 3e-3
 // of its largest, 0.7/d, and multiplied by up to 0.3. Ordering o times as strong: p_j + (2 o - 1) p_i in the sum, 2 o p_i with
 // the floor, and -2 (o - 1) p_i with what a planar surface at the particle's depth has.
-void expectDisplacements(float ordering)
+void expectDisplacements(scalar ordering)
 {
-    constexpr float dt = 0.5f;
+    constexpr scalar dt = 0.5f;
     LiquidCase drop({.walls = "tank { type box; min (0 0 0); max (8e-3 8e-3 1); }"});
     const auto pressure = makePressure
     (
@@ -261,14 +261,14 @@ void expectDisplacements(float ordering)
 
 TEST(CompletedPbf, DisplacesByItsFormula)
 {
-    for (const float ordering : {1.0f, 1.5f, 2.0f}) expectDisplacements(ordering);
+    for (const scalar ordering : {1.0f, 1.5f, 2.0f}) expectDisplacements(ordering);
 }
 
 // Deep in liquid that is too thin every particle pulls; then the part of the disorder has the other sign, p_j - 5 p_i where
 // p_j + 3 p_i stands under pressure: against two neighbours of equal p it moves from where they are dense.
 TEST(CompletedPbf, KeepsOrderUnderSuction)
 {
-    constexpr float dt = 0.5f;
+    constexpr scalar dt = 0.5f;
     LiquidCase drop;
     const auto tension = makeTension(drop);
     const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1; relaxation 1; ordering 1.4;");
@@ -333,7 +333,7 @@ TEST(CompletedPbf, LeavesTheCentroidOfFreeLiquid)
 // the root of k as many. Not without tension, where no such step is, nor where tolerance 0 asks for just so many.
 TEST(CompletedPbf, IteratesMoreInStepsLongerThanTheCapillaryOne)
 {
-    const auto made = [](bool tension, const std::string& tolerance, float steps)
+    const auto made = [](bool tension, const std::string& tolerance, scalar steps)
     {
         LiquidCase drop;
         const auto model = tension ? makeTension(drop) : nullptr;
@@ -341,7 +341,7 @@ TEST(CompletedPbf, IteratesMoreInStepsLongerThanTheCapillaryOne)
         drop.place(latticeBlock(6, 6, 6, 0.9f));
         const Liquid& liquid = drop.liquid;
         const double sigma = liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension);
-        return iterate(*pressure, drop, steps * float(std::sqrt(liquid.particleMass() / (2 * std::numbers::pi * sigma))));
+        return iterate(*pressure, drop, steps * scalar(std::sqrt(liquid.particleMass() / (2 * std::numbers::pi * sigma))));
     };
     EXPECT_EQ(made(true, "1e-9", 0.7f), 10);
     EXPECT_EQ(made(true, "1e-9", 1), 10);
@@ -364,12 +364,12 @@ TEST(CompletedPbf, PullsNoMoreThanTheTensionAllows)
         drop.place(points);
         const auto before = drop.inOrder(drop.liquid.predicted);
         EXPECT_EQ(iterate(*pressure, drop, 0.02f), 5);
-        for (const float p : pressure->keepPressure()->download())
+        for (const scalar p : pressure->keepPressure()->download())
         {
             ASSERT_FLOAT_EQ(p, tension ? -suctionOf(drop.liquid) : 0);
         }
         const auto after = drop.inOrder(drop.liquid.predicted);
-        float farthest = 0;
+        scalar farthest = 0;
         for (std::size_t i = 0; i < after.size(); ++i) farthest = std::max(farthest, norm(after[i] - before[i]));
         EXPECT_EQ(farthest > 0, tension);
     }
@@ -381,7 +381,7 @@ TEST(CompletedPbf, BeginsEachStepWithoutPressure)
     LiquidCase drop;
     const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1;");
     drop.place(latticeBlock(8, 8, 8, 0.98f));
-    std::vector<float> first;
+    std::vector<scalar> first;
     for (int step = 0; step < 2; ++step)
     {
         pressure->begin(0.02f);

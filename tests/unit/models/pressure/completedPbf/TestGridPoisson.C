@@ -17,26 +17,26 @@ struct FullBox
     GridBox box;
     GridPoisson poisson;
 
-    FullBox(const GridBox& cells, float source, const std::function<bool(GridBox::Place)>& closed) : box(cells)
+    FullBox(const GridBox& cells, scalar source, const std::function<bool(GridBox::Place)>& closed) : box(cells)
     {
-        const Buffer<float> fill(std::vector<float>(box.cells(), 1.0f));
+        const Buffer<scalar> fill(std::vector<scalar>(box.cells(), 1.0f));
         std::vector<std::uint8_t> open;
         for (int k = 0; k < box.nodes(); ++k) open.push_back(!closed(box.nodeAt(k)));
         poisson.begin(box, fill, Buffer<std::uint8_t>(open));
-        std::vector<float> sources(box.nodes(), 0.0f);
+        std::vector<scalar> sources(box.nodes(), 0.0f);
         for (int k = 0; k < box.nodes(); ++k)
         {
             if (open[k]) box.forEachCellAround(box.nodeAt(k), [&](int, int, int, int) { sources[k] += 0.125f * source; });
         }
-        const Buffer<float> uploaded(sources);
-        device::copyOnDevice(poisson.source().data, uploaded.span().data, sources.size() * sizeof(float));
+        const Buffer<scalar> uploaded(sources);
+        device::copyOnDevice(poisson.source().data, uploaded.span().data, sources.size() * sizeof(scalar));
     }
 
-    std::vector<float> solve(int cycles)
+    std::vector<scalar> solve(int cycles)
     {
         poisson.solve(cycles);
-        std::vector<float> q(box.nodes());
-        device::copyToHost(q.data(), poisson.solution().data, q.size() * sizeof(float));
+        std::vector<scalar> q(box.nodes());
+        device::copyToHost(q.data(), poisson.solution().data, q.size() * sizeof(scalar));
         return q;
     }
 };
@@ -52,7 +52,7 @@ TEST(GridPoisson, CarriesASourceThroughTheWholeDepth)
         FullBox column({5, 8, depth}, 1, [&](GridBox::Place at) { return at.z == depth; });
         const auto errorAfter = [&](int cycles)
         {
-            const std::vector<float> q = column.solve(cycles);
+            const std::vector<scalar> q = column.solve(cycles);
             double most = 0;
             for (int k = 0; k < column.box.nodes(); ++k)
             {
@@ -71,11 +71,11 @@ TEST(GridPoisson, CarriesASourceThroughTheWholeDepth)
 TEST(GridPoisson, SeesALayerOfClosedNodesBetweenCoarseOnes)
 {
     FullBox column({8, 8, 40}, 1, [](GridBox::Place at) { return at.z == 15 || at.z == 40; });
-    const std::vector<float> q = column.solve(12);
+    const std::vector<scalar> q = column.solve(12);
     for (int k = 0; k < column.box.nodes(); ++k)
     {
-        const float z = float(column.box.nodeAt(k).z);
-        const float exact = z < 15 ? 0.5f * (225 - z * z) : 0.5f * (z - 15) * (40 - z);
+        const scalar z = scalar(column.box.nodeAt(k).z);
+        const scalar exact = z < 15 ? 0.5f * (225 - z * z) : 0.5f * (z - 15) * (40 - z);
         EXPECT_NEAR(q[k], exact, 0.5f) << z;            // of 112
     }
 }
@@ -83,14 +83,14 @@ TEST(GridPoisson, SeesALayerOfClosedNodesBetweenCoarseOnes)
 TEST(GridPoisson, NeverPulls)
 {
     FullBox block({12, 12, 12}, -1, [](GridBox::Place at) { return at.z == 12; });
-    for (const float q : block.solve(3)) ASSERT_EQ(q, 0);
+    for (const scalar q : block.solve(3)) ASSERT_EQ(q, 0);
 }
 
 // Nothing says how high the pressure is, nor that there is none.
 TEST(GridPoisson, StaysFiniteInAClosedTank)
 {
     FullBox tank({9, 9, 9}, 1, [](GridBox::Place) { return false; });
-    for (const float q : tank.solve(2)) ASSERT_TRUE(std::isfinite(q));
+    for (const scalar q : tank.solve(2)) ASSERT_TRUE(std::isfinite(q));
 }
 
 // The same box twice, a smaller one in between.
@@ -102,16 +102,16 @@ TEST(GridPoisson, ForgetsTheBoxBefore)
     after.solve(1);
     FullBox again(small, 1, closed);
     std::swap(again.poisson, after.poisson);            // memory of the large one
-    const Buffer<float> fill(std::vector<float>(small.cells(), 1.0f));
+    const Buffer<scalar> fill(std::vector<scalar>(small.cells(), 1.0f));
     std::vector<std::uint8_t> open;
-    std::vector<float> sources(small.nodes(), 0.0f);
+    std::vector<scalar> sources(small.nodes(), 0.0f);
     for (int k = 0; k < small.nodes(); ++k)
     {
         open.push_back(!closed(small.nodeAt(k)));
         if (open[k]) small.forEachCellAround(small.nodeAt(k), [&](int, int, int, int) { sources[k] += 0.125f; });
     }
     again.poisson.begin(small, fill, Buffer<std::uint8_t>(open));
-    const Buffer<float> uploaded(sources);
-    device::copyOnDevice(again.poisson.source().data, uploaded.span().data, sources.size() * sizeof(float));
+    const Buffer<scalar> uploaded(sources);
+    device::copyOnDevice(again.poisson.source().data, uploaded.span().data, sources.size() * sizeof(scalar));
     EXPECT_EQ(again.solve(3), alone.solve(3));
 }

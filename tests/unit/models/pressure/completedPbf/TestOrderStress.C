@@ -15,7 +15,7 @@ using namespace shizuku::test;
 // pressure's increase, and that of the stress p D, whose pressure is the first step's.
 TEST(OrderStress, IsTakenOutOfThePressure)
 {
-    constexpr float dt = 0.5f;
+    constexpr scalar dt = 0.5f;
     LiquidCase drop;
     const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1; ordering 1;");
     RandomNumbers random(7);
@@ -23,7 +23,7 @@ TEST(OrderStress, IsTakenOutOfThePressure)
     disorder(points, 0.1f, random);
     drop.place(points);
     const auto placed = drop.liquid.predicted.download();
-    std::vector<float> p;
+    std::vector<scalar> p;
     for (int step = 0; step < 2; ++step)
     {
         drop.liquid.predicted.upload(placed);
@@ -61,7 +61,7 @@ TEST(OrderStress, IsTakenOutOfThePressure)
         }
         const double third = (D[0][0] + D[1][1] + D[2][2]) / 3;
         for (int a = 0; a < 3; ++a) D[a][a] -= third;
-        for (auto& row : D) for (double& value : row) value *= OrderStress::removed * std::max(p[i], 0.0f);
+        for (auto& row : D) for (double& value : row) value *= OrderStress::removed * std::max(p[i], scalar(0));
         stress[i] = D;
     }
     int compared = 0;
@@ -96,7 +96,7 @@ namespace
 struct StoreDeviator
 {
     CubicSpline W;
-    float volume;
+    scalar volume;
     Span<const Vec3> x;
     NeighbourView near;
     WallCompletion walls;
@@ -115,7 +115,7 @@ struct StoreDeviator
 };
 
 // q D of each particle, q going from 0 to 1 between `layer` (spacings) below the surface and the kernel's support.
-std::vector<SymmTensor<Vec3>> deviators(const LiquidCase& drop, float layer)
+std::vector<SymmTensor<Vec3>> deviators(const LiquidCase& drop, scalar layer)
 {
     const Liquid& liquid = drop.liquid;
     const CubicSpline W = std::get<CubicSpline>(liquid.kernel());
@@ -144,7 +144,7 @@ struct MissingPart
         const Reference<CubicSpline> W{h};
         double along = 0, across = 0;
         const int n = int(h) + 1;
-        for (const Vec3 p : latticeBlock(2 * n + 1, 2 * n + 1, n, 1, {float(-n), float(-n), float(s + 0.5)}))
+        for (const Vec3 p : latticeBlock(2 * n + 1, 2 * n + 1, n, 1, {scalar(-n), scalar(-n), scalar(s + 0.5)}))
         {
             const double r = norm(p);
             if (r >= h) continue;
@@ -157,13 +157,13 @@ struct MissingPart
     }
 };
 
-constexpr float halfWidth = 9;
+constexpr scalar halfWidth = 9;
 
 // A cubic lattice on the side of the plane through the origin to which the normal n = (0.6 0 0.8) points, and its mirror image on
 // the other side; lengths in spacings.
 Vec3 placed(Vec3 p) { return p.x * Vec3{0.8f, 0, -0.6f} + p.y * Vec3{0, 1, 0} + p.z * Vec3{0.6f, 0, 0.8f}; }
 
-std::vector<Vec3> halfSpace(float side)
+std::vector<Vec3> halfSpace(scalar side)
 {
     std::vector<Vec3> points = latticeBlock(19, 19, 18, 1, {-halfWidth, -halfWidth, side > 0 ? 0.5f : -17.5f});
     for (Vec3& p : points) p = placed(p);
@@ -204,7 +204,7 @@ TEST(OrderStress, VanishesNextToPlanesOfALattice)
             .wettability = "floor { theta 90; }"
         });
         bounded.walls.requireContactAngles();
-        for (LiquidCase* each : {&open, &bounded}) each->surface.require(each->liquid, each->walls, float(2 * support), 0);
+        for (LiquidCase* each : {&open, &bounded}) each->surface.require(each->liquid, each->walls, scalar(2 * support), 0);
         const auto below = halfSpace(-1), above = halfSpace(1);
         open.place(below);
         bounded.place(above);
@@ -217,8 +217,8 @@ TEST(OrderStress, VanishesNextToPlanesOfALattice)
             (
                 std::abs(deeper.completion - missing.completion), std::abs(higher.completion - missing.completion)
             );
-            const double surface = alongNormal(atSurface, below, placed({0, 0, -float(s)}));
-            const double wall = alongNormal(atWall, above, placed({0, 0, float(s)}));
+            const double surface = alongNormal(atSurface, below, placed({0, 0, -scalar(s)}));
+            const double wall = alongNormal(atWall, above, placed({0, 0, scalar(s)}));
             EXPECT_NEAR(surface, left, depth + 1e-4) << support << " " << s;
             EXPECT_NEAR(wall, left, 1e-4) << support << " " << s;
             // Without completion -missing.lattice were there.
@@ -240,7 +240,7 @@ TEST(OrderStress, StaysInTheOutermostLayers)
     const auto points = halfSpace(-1);
     open.place(points);
     const auto all = deviators(open, -1e3f), taken = deviators(open, 0.5f);
-    for (const float s : {0.5f, 1.5f, 2.5f})
+    for (const scalar s : {0.5f, 1.5f, 2.5f})
     {
         const Vec3 place = placed({0, 0, -s});
         // FreeSurface.H tells the depth within 0.15 spacings of its lattice.

@@ -13,7 +13,7 @@ const auto points = randomPoints(250, {-3, -3, 0.1f}, {3, 3, 5});
 // p = k (rho - rho0), f_i = -sum_j m (p_i + p_j)/(2 rho_j) grad W_ij over all pairs, k = 2 c^2. Tolerances as for WCSPH.
 TEST(IdealGas, EqualsTheSumOverAllPairs)
 {
-    constexpr float dt = 0.05f;
+    constexpr scalar dt = 0.05f;
     for (auto& [drop, system] : pressureCases(points))
     {
         const auto pressure = makePressure(*drop, "idealGas", "maxSpeed 1; maxDensityVariation 0.04;");
@@ -48,13 +48,13 @@ TEST(IdealGas, ActsWithHalfOfItsPressure)
     for (Vec3& x : block) x.x -= 0.5e-3f * x.x * x.x;
     drop.place(block);
     const auto before = drop.inOrder(drop.liquid.predicted);
-    constexpr float dt = 0.01f;
+    constexpr scalar dt = 0.01f;
     iterate(*pressure, drop, dt);
     const auto a = accelerationsSince(before, drop, dt);
     const auto p = drop.inOrder(*pressure->keepPressure());
     const int middle = 5 + 11 * (5 + 11 * 5);
-    const float slope = (p[middle + 1] - p[middle - 1]) / (norm(before[middle + 1] - before[middle - 1]));
-    const float density = drop.liquid.restDensity() / std::pow(0.97f, 3.0f);
+    const scalar slope = (p[middle + 1] - p[middle - 1]) / (norm(before[middle + 1] - before[middle - 1]));
+    const scalar density = drop.liquid.restDensity() / std::pow(0.97f, 3.0f);
     // The kernel's own error of a gradient on a lattice is some per cent, that of the difference above far below.
     EXPECT_NEAR(a[middle].x, -slope / density, 0.05f * slope / density);
 }

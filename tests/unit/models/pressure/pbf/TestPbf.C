@@ -15,7 +15,7 @@ double errorOf(LiquidCase& drop)
 {
     computeDensity(drop.liquid, drop.near, drop.walls);
     double sum = 0;
-    for (const float density : drop.liquid.density.download()) sum += std::max(density - 1, 0.0f);
+    for (const scalar density : drop.liquid.density.download()) sum += std::max(density - 1, scalar(0));
     return sum / drop.liquid.owned();
 }
 
@@ -105,7 +105,7 @@ TEST(Pbf, PullsOnlyWhereItMay)
         const std::string choice = unilateral ? "yes" : "no";
         const auto model = makePressure(drop, "pbf", "relaxation 1; unilateral " + choice + ";");
         drop.place({{0, 0, 0}, {1.2f, 0, 0}});
-        const float before = 1.2f * drop.liquid.spacing();
+        const scalar before = 1.2f * drop.liquid.spacing();
         ASSERT_TRUE(model->violated(drop.liquid, drop.near, drop.walls));
         model->correct(drop.liquid, drop.near, drop.walls);
         const auto x = drop.inOrder(drop.liquid.predicted);

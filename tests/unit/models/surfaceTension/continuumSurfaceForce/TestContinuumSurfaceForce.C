@@ -32,8 +32,8 @@ std::vector<Vec3> tensionOf(LiquidCase& drop, SurfaceTension& tension, const std
     Buffer<Vec3> acceleration(drop.liquid.all());
     acceleration.setZero();
     tension.apply(drop.liquid, drop.near, drop.walls, acceleration);
-    const float d = drop.liquid.spacing();
-    const float sigma = drop.liquid.units().toScaled(drop.liquid.properties().surfaceTension, dimensions::surfaceTension);
+    const scalar d = drop.liquid.spacing();
+    const scalar sigma = drop.liquid.units().toScaled(drop.liquid.properties().surfaceTension, dimensions::surfaceTension);
     auto result = drop.inOrder(acceleration);
     for (Vec3& a : result) a = drop.liquid.restDensity() * d * d / sigma * a;
     return result;
@@ -42,7 +42,7 @@ std::vector<Vec3> tensionOf(LiquidCase& drop, SurfaceTension& tension, const std
 }
 
 // Layers so thin that their sum is the integral, within 1e-4: its error goes with the square.
-constexpr float thin = 0.02f;
+constexpr scalar thin = 0.02f;
 
 // A sphere as large as the table's flattest has a plane's sum, whose integral is computed here by itself: b grows from 0 at a tenth of the
 // plane's slope to 1 at all of it.
@@ -76,13 +76,13 @@ TEST(SurfaceLayer, GrowsWithTheCurvature)
 // Layers that are drawn together or apart by 5 % have the same force, within 0.6 % with the smallest support: L of them over that of the spacing.
 TEST(SurfaceLayer, IsTheSameHoweverFarTheLayersStandApart)
 {
-    for (const float support : {3.0f, 3.25f, 4.0f})
+    for (const scalar support : {3.0f, 3.25f, 4.0f})
     {
-        float least = 1e9f, most = 0;
-        for (const float spacing : {0.95f, 0.97f, 0.99f, 1.0f, 1.01f, 1.03f, 1.05f})
+        scalar least = 1e9f, most = 0;
+        for (const scalar spacing : {0.95f, 0.97f, 0.99f, 1.0f, 1.01f, 1.03f, 1.05f})
         {
             const auto table = tabulateSurfaceLayer(WendlandC2(support), spacing, 0.7f);
-            const float middle = table[table.size() / 2];
+            const scalar middle = table[table.size() / 2];
             least = std::min(least, middle);
             most = std::max(most, middle);
         }
@@ -104,7 +104,7 @@ TEST(SurfaceLayer, KnowsWhichPartOfTheForceLiesDeeper)
     const double all = integrate(0, 4, 400, force);
     for (const double s : {0.5, 1.0, 1.5, 2.0, 3.0})
     {
-        EXPECT_NEAR(view.deeper(float(slope(s) / steepest)), integrate(s, 4, 400, force) / all, 2e-3) << s;
+        EXPECT_NEAR(view.deeper(scalar(slope(s) / steepest)), integrate(s, 4, 400, force) / all, 2e-3) << s;
     }
     EXPECT_EQ(view.deeper(0), 0);
     EXPECT_EQ(view.deeper(1), 1);
@@ -115,7 +115,7 @@ TEST(SurfaceLayer, KnowsWhichPartOfTheForceLiesDeeper)
 // presses on them, over their areas. It has no resultant. A lattice's surface is rough: 3 %.
 TEST(ContinuumSurfaceForce, HoldsLaplacesPressureInABall)
 {
-    for (const float radius : {6.0f, 7.3f, 8.0f, 10.0f, 13.0f})
+    for (const scalar radius : {6.0f, 7.3f, 8.0f, 10.0f, 13.0f})
     {
         LiquidCase drop;
         const auto tension = makeTension(drop);
@@ -150,7 +150,7 @@ TEST(ContinuumSurfaceForce, DoesNotMoveFreeLiquidAsAWhole)
     Buffer<Vec3> acceleration(drop.liquid.all());
     acceleration.setZero();
     tension->apply(drop.liquid, drop.near, drop.walls, acceleration);
-    const float dt = 0.01f;
+    const scalar dt = 0.01f;
     auto velocities = acceleration.download();
     for (Vec3& u : velocities) u = dt * u;
     drop.liquid.velocity.upload(velocities);
@@ -179,7 +179,7 @@ TEST(ContinuumSurfaceForce, LeavesAPlaneAlone)
     const auto tension = makeTension(drop);
     const auto points = latticeBlock(29, 29, 8, 1, {-14, -14, -7.5f});
     const auto force = tensionOf(drop, *tension, points);
-    float edge = 0;
+    scalar edge = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         edge = std::max(edge, norm(force[i]));
@@ -199,21 +199,21 @@ TEST(ContinuumSurfaceForce, PushesAlongTheSurfaceWhereTheCurvatureChanges)
 {
     LiquidCase drop({.walls = "far { type plane; point (0 0 -20); normal (0 0 1); }"});
     const auto tension = makeTension(drop);
-    const float length = 30, q = 2 * std::numbers::pi_v<float> / length, A = 1;
+    const scalar length = 30, q = 2 * std::numbers::pi_v<scalar> / length, A = 1;
     auto points = latticeBlock(61, 21, 8, 1, {-30, -10, -7.5f});
     for (Vec3& p : points) p.z += A * std::cos(q * p.x);
     const auto force = tensionOf(drop, *tension, points);
     const auto states = surfaceStates(drop);
     const auto table = tabulateDeeperPart(drop.surface.kernel());
     const SurfaceLayerView view{{}, {table.data(), int(table.size())}, 1};
-    for (const float depth : {0.5f, 1.5f})
+    for (const scalar depth : {0.5f, 1.5f})
     {
         double along = 0, expected = 0;
         for (std::size_t i = 0; i < points.size(); ++i)
         {
             const Vec3 x = points[i];
             if (x.y != 0 || std::abs(x.x) > 15 || std::abs(x.z - A * std::cos(q * x.x) + depth) > 0.1f) continue;
-            const float slope = -A * q * std::sin(q * x.x);
+            const scalar slope = -A * q * std::sin(q * x.x);
             const Vec3 f = force[i];
             const double tangential = (f.x + slope * f.z) / std::sqrt(1 + slope * slope);
             const double psi = view.deeper(norm(states[i].gradient) / drop.surface.steepest());
@@ -271,7 +271,7 @@ TEST(ContinuumSurfaceForce, BearsSuctionAlikeAtAHollowSurface)
 {
     LiquidCase drop;
     const auto tension = makeTension(drop, "support 4;");
-    const float R = 7;
+    const scalar R = 7;
     RandomNumbers random(5);
     auto points = latticeBlock(26, 26, 26, 1, {-12.5f, -12.5f, -12.5f});
     std::erase_if(points, [&](Vec3 p) { return norm(p) < R; });
@@ -281,7 +281,7 @@ TEST(ContinuumSurfaceForce, BearsSuctionAlikeAtAHollowSurface)
     points.pop_back();
     tensionOf(drop, *tension, points);
     const auto states = surfaceStates(drop);
-    const float sigma = drop.liquid.units().toScaled(drop.liquid.properties().surfaceTension, dimensions::surfaceTension);
+    const scalar sigma = drop.liquid.units().toScaled(drop.liquid.properties().surfaceTension, dimensions::surfaceTension);
     double n = 0, sum = 0, squares = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
@@ -315,6 +315,6 @@ TEST(ContinuumSurfaceForce, HasASupportForEveryKernel)
     {
         LiquidCase drop({.kernel = "type cubicSpline; support " + std::to_string(support) + ";"});
         EXPECT_EQ(messageOf([&] { makeTension(drop); }), "no error");
-        EXPECT_FLOAT_EQ(drop.surface.support() / drop.liquid.spacing(), std::max(3.25f, float(1.5 * support)));
+        EXPECT_FLOAT_EQ(drop.surface.support() / drop.liquid.spacing(), std::max(scalar(3.25), scalar(1.5 * support)));
     }
 }

@@ -142,7 +142,7 @@ TEST(PairTension, TakesItsCoefficientFromSigmaUnlessGiven)
     const double gammaUnit = drop.liquid.units().of({{-1, 4, -2, 0, 0, 0, 0}});
     const double areaUnit = drop.liquid.units().of(dimensions::acceleration);
     const double fromSigma = cohesionCoefficient(0.072, 1000, h);
-    // Stored as float: 6e-8.
+    // Stored as scalar: 6e-8.
     EXPECT_NEAR(gammaOf("").cohesion * gammaUnit, fromSigma, 1e-7 * fromSigma);
     EXPECT_NEAR(gammaOf("").area * areaUnit, fromSigma * 1, 1e-7 * fromSigma);              // rho_A = 1e-3 rho
     EXPECT_NEAR(gammaOf("gamma 1.5; areaWeight 0.1;").cohesion * gammaUnit, 1.5, 2e-7);

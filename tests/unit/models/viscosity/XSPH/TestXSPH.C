@@ -63,7 +63,7 @@ TEST(XSPH, HoldsBackAtWallsWithoutSlip)
                 for (const Vec3& l : solid) sum += W.W(norm(k - l));
                 volume.push_back(1 / sum);
             }
-            float atWalls = 0;
+            scalar atWalls = 0;
             for (int i = 0; i < 200; ++i)
             {
                 double neighbours = 0, wall = 0;
@@ -78,7 +78,7 @@ TEST(XSPH, HoldsBackAtWallsWithoutSlip)
                 if (noSlip == "noSlip no;") wall = 0;
                 const double expected = velocities[i].y + 0.3 * (neighbours - wall * velocities[i].y);
                 ASSERT_NEAR(smoothed[i].y, expected, 5e-5) << i;       // 0.3 times the table's interpolation, 1e-4
-                atWalls = std::max(atWalls, std::abs(float(0.3 * wall * velocities[i].y)));
+                atWalls = std::max(atWalls, std::abs(scalar(0.3 * wall * velocities[i].y)));
             }
             EXPECT_EQ(atWalls > 0.02f, noSlip != "noSlip no;");
         }
@@ -90,18 +90,18 @@ TEST(XSPH, SmoothsAsMuchInATimeWhateverTheStep)
 {
     LiquidCase drop;
     const auto points = latticeBlock(2, 1, 1, 1);
-    const float capillary = drop.liquid.units().toScaled(drop.liquid.properties().capillaryStep(), dimensions::time);
-    const auto smoothed = [&](const std::string& coeffs, float steps)
+    const scalar capillary = drop.liquid.units().toScaled(drop.liquid.properties().capillaryStep(), dimensions::time);
+    const auto smoothed = [&](const std::string& coeffs, scalar steps)
     {
         drop.place(points, {{1, 0, 0}, {0, 0, 0}});
         const auto model = Viscosity::New(Dictionary::parse("viscosity XSPH; XSPHCoeffs { " + coeffs + " }"), drop.liquid);
         model->apply(drop.liquid, drop.near, drop.walls, steps * capillary);
         return drop.inOrder(drop.liquid.velocity)[1].x;
     };
-    const float whole = smoothed("c 1;", 1);            // of two particles: W at their distance
+    const scalar whole = smoothed("c 1;", 1);           // of two particles: W at their distance
     EXPECT_GT(whole, 0.03f);
     EXPECT_EQ(smoothed("c 0.1;", 7), smoothed("c 0.1;", 1));
-    for (const float steps : {0.1f, 0.25f, 1.0f, 2.0f, 5.0f})   // the share of 0.1 lies below c
+    for (const scalar steps : {0.1f, 0.25f, 1.0f, 2.0f, 5.0f})  // the share of 0.1 lies below c
     {
         const double share = std::max(0.05, 1 - std::pow(0.7, steps));
         // To the rounding of a power and of velocities of order 1.
@@ -113,7 +113,7 @@ TEST(XSPH, SmoothsAsMuchInATimeWhateverTheStep)
 TEST(XSPH, HoldsBackFastLiquidNoMore)
 {
     LiquidCase drop(caseOnFloor({}));
-    const float limit = 0.1f * drop.liquid.spacing() / drop.liquid.units().toScaled(drop.liquid.properties().capillaryStep(), dimensions::time);
+    const scalar limit = 0.1f * drop.liquid.spacing() / drop.liquid.units().toScaled(drop.liquid.properties().capillaryStep(), dimensions::time);
     const auto taken = [&](const std::string& coeffs, Vec3 velocity)
     {
         drop.place({{0, 0, 0.5f}}, {velocity});
@@ -124,9 +124,9 @@ TEST(XSPH, HoldsBackFastLiquidNoMore)
     const Vec3 unit{0.6f, 0, -0.8f};
     const Vec3 atLimit = taken("", limit * unit);
     EXPECT_GT(norm(atLimit), 0.02f * limit);
-    for (const float speed : {0.0f, 0.5f, 1.0f, 3.0f, 100.0f})
+    for (const scalar speed : {0.0f, 0.5f, 1.0f, 3.0f, 100.0f})
     {
-        const float share = std::min(speed, 1.0f);
+        const scalar share = std::min(speed, scalar(1));
         // Differences of velocities of order `speed`, in single precision.
         EXPECT_LT(norm(taken("slipAbove 0.1;", speed * limit * unit) - share * atLimit), 2e-7f * (1 + speed) * limit) << speed;
     }

@@ -14,7 +14,7 @@ const Dictionary laminar = Dictionary::parse("viscosity laminar;");
 std::vector<double> laplacianOf(LiquidCase& block, const std::vector<Vec3>& points, const std::vector<Vec3>& velocities)
 {
     block.place(points, velocities);
-    const float dt = 0.5f;
+    const scalar dt = 0.5f;
     Viscosity::New(laminar, block.liquid)->apply(block.liquid, block.near, block.walls, dt);
     const auto after = block.inOrder(block.liquid.velocity);
     const Units& units = block.liquid.units();
@@ -28,7 +28,7 @@ std::vector<double> laplacianOf(LiquidCase& block, const std::vector<Vec3>& poin
     return laplacian;
 }
 
-bool isInterior(Vec3 p, float edge, float support)
+bool isInterior(Vec3 p, scalar edge, scalar support)
 {
     return std::min({p.x, p.y, p.z}) > support && std::max({p.x, p.y, p.z}) < edge - support;
 }
@@ -58,7 +58,7 @@ TEST(Laminar, FindsNoForceInUniformShear)
 // adds one to five: within 3 %.
 TEST(Laminar, FindsTheCurvatureOfAParabola)
 {
-    for (const float support : {2.0f, 3.0f})
+    for (const scalar support : {2.0f, 3.0f})
     {
         const std::string kernel = "type cubicSpline; support " + std::to_string(support) + ";";
         LiquidCase block({.kernel = kernel, .liquidProperties = "rho 1000; nu 1e-4; sigma 0.072;"});
@@ -86,16 +86,16 @@ TEST(Laminar, IsHeldBackByAWall)
         (
             std::string("viscosity laminar; laminarCoeffs { noSlip ") + (noSlip ? "yes" : "no") + "; }"
         );
-        const float dt = 0.1f;
+        const scalar dt = 0.1f;
         Viscosity::New(models, flow.liquid)->apply(flow.liquid, flow.near, flow.walls, dt);
         const auto velocity = flow.inOrder(flow.liquid.velocity);
 
         const auto table = tabulateHalfSpace(flow.liquid.kernel());
         const HalfSpaceView halfSpace{{table.data(), int(table.size())}, flow.liquid.support()};
-        const float nu = flow.liquid.units().toScaled(1e-4, dimensions::kinematicViscosity), d = flow.liquid.spacing();
+        const scalar nu = flow.liquid.units().toScaled(1e-4, dimensions::kinematicViscosity), d = flow.liquid.spacing();
         for (int i = 0; i < 2; ++i)
         {
-            const float lost = noSlip ? nu * dt * halfSpace((float(i) + 0.5f) * d).drag : 0;
+            const scalar lost = noSlip ? nu * dt * halfSpace((scalar(i) + 0.5f) * d).drag : 0;
             EXPECT_NEAR(velocity[i].x, 1 - lost, 2e-7);         // one rounding near one
             EXPECT_EQ(lost > 1e-5f, noSlip);
         }

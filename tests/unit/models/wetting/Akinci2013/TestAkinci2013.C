@@ -34,12 +34,12 @@ double adhesion(double r, double h)
 TEST(Akinci2013Wetting, EqualsItsFormulaAndIsANumberEverywhere)
 {
     LiquidCase drop({.walls = sampledFloor, .solidPositions = {{0, 0, 0}}});
-    const float h = 2;                                          // in spacings
+    const scalar h = 2;                                         // in spacings
     std::vector<Vec3> points;
-    for (int i = 1; i < 220; ++i) points.push_back({0.01f * float(i), 0, 0});
-    for (const float border : {0.5f * h, h})
+    for (int i = 1; i < 220; ++i) points.push_back({0.01f * scalar(i), 0, 0});
+    for (const scalar border : {0.5f * h, h})
     {
-        float below = border, above = border;
+        scalar below = border, above = border;
         for (int i = 0; i < 40; ++i)
         {
             points.push_back({0, below, 0});
@@ -99,7 +99,7 @@ TEST(Akinci2013Wetting, DoesTheWorkOfCohesionAtFullWetting)
         drop.place({{0, 0, 1.5f}});
         return -adhesionOf(drop, "surfaceTension Akinci2013; wetting Akinci2013; Akinci2013Coeffs { " + coeffs + " }")[0].z;
     };
-    const float expected = pullWith("gamma 1.5; beta " + std::to_string(1.5 * cohesion / pull) + ";");
+    const scalar expected = pullWith("gamma 1.5; beta " + std::to_string(1.5 * cohesion / pull) + ";");
     // Profiles in single precision: 1e-6 a value; the root is steep at its ends, where the midpoint rule differs by 1e-5.
     EXPECT_NEAR(pullWith("gamma 1.5;"), expected, 1e-4 * expected);
 }

@@ -72,7 +72,7 @@ TEST(AdhesionRatio, OfAHalfSpaceIsItsIntegral)
             return sum / pair.liquid.properties().particleMass();
         };
         const double scale = std::abs(integral(1));
-        for (const float s : {0.5f, 0.8f, 1.3f, 1.9f})
+        for (const scalar s : {0.5f, 0.8f, 1.3f, 1.9f})
         {
             LiquidCase drop({.walls = floorPlane,
                              .wettability = "floor { theta 60; }"});
