@@ -2,6 +2,7 @@
 # device application and the tests. Each backend folder includes this once, in its own directory scope, since
 # the language of a source file is a property of the directory.
 #     shizuku_backend(cuda LANGUAGE CUDA TESTS ${SHIZUKU_GPU} FLAGS ... SOURCES device/cuda/Device.C LINK CUDA::cudart)
+# One that is not among SHIZUKU_BACKENDS is left out of `all`; its targets can be asked for.
 include(${PROJECT_SOURCE_DIR}/Make/sources/device.cmake)
 include(${PROJECT_SOURCE_DIR}/Make/sources/deviceApplications.cmake)
 include(${PROJECT_SOURCE_DIR}/Make/sources/deviceTests.cmake)
@@ -37,7 +38,9 @@ function(shizuku_backend backend)
         if(NOT TARGET ${name})
             shizuku_device_launcher(${name})
         endif()
-        add_dependencies(${name} ${name}-${backend})
+        if(backend IN_LIST SHIZUKU_BACKENDS)
+            add_dependencies(${name} ${name}-${backend})
+        endif()
     endforeach()
 
     if(GTest_FOUND AND SHIZUKU_DEVICE_TESTS AND ARG_TESTS)

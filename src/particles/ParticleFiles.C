@@ -18,7 +18,7 @@ namespace
 FieldType typeOf(const AnyBuffer& values)
 {
     if (std::holds_alternative<Buffer<Vec3>>(values)) return FieldType::vector;
-    if (std::holds_alternative<Buffer<float>>(values)) return FieldType::scalar;
+    if (std::holds_alternative<Buffer<scalar>>(values)) return FieldType::scalar;
     return FieldType::label;
 }
 
@@ -37,10 +37,10 @@ void refuseLarge(const std::filesystem::path& file, std::size_t first, std::span
 
 Vec3 scaled(const double* si, double unit, Vec3)
 {
-    return {float(si[0] / unit), float(si[1] / unit), float(si[2] / unit)};
+    return {scalar(si[0] / unit), scalar(si[1] / unit), scalar(si[2] / unit)};
 }
 
-float scaled(const double* si, double unit, float) { return float(*si / unit); }
+scalar scaled(const double* si, double unit, scalar) { return scalar(*si / unit); }
 
 std::uint32_t scaled(const double* label, double, std::uint32_t) { return std::uint32_t(*label); }
 
@@ -161,6 +161,8 @@ void ParticleCopy::copy(const Buffer<T>& values, AnyHostBuffer& target) const
 void ParticleCopy::write(const std::filesystem::path& timeFolder, const WriteFormat& format) const
 {
     constexpr FieldType types[] = {FieldType::scalar, FieldType::vector, FieldType::label};     // as in AnyHostBuffer
+    WriteFormat ofScalars = format;
+    ofScalars.scalarBits = 8 * sizeof(scalar);
     for (const Field& field : fields_)
     {
         const auto portion = [&](std::size_t first, std::span<double> values)
@@ -168,7 +170,7 @@ void ParticleCopy::write(const std::filesystem::path& timeFolder, const WriteFor
             std::visit([&](const auto& host) { fill(host, field.unit, first, values); }, field.values);
         };
         const FieldSource source{types[field.values.index()], field.info.dimensions, std::size_t(count_), portion};
-        writeField(timeFolder / name_ / field.info.name, source, format);
+        writeField(timeFolder / name_ / field.info.name, source, ofScalars);
     }
 }
 

@@ -33,10 +33,10 @@ void refuseFixed(const Dictionary& former, const Dictionary& now)
 }
 
 // A contact angle of the whole field, or its range, in degrees.
-std::string rangeOf(const std::vector<float>& cosines)
+std::string rangeOf(const std::vector<scalar>& cosines)
 {
     const auto [low, high] = std::minmax_element(cosines.begin(), cosines.end());
-    const auto degrees = [](float cosine) { return std::round(1e4 * std::acos(cosine) * 180 / M_PI) / 1e4; };
+    const auto degrees = [](scalar cosine) { return std::round(1e4 * std::acos(cosine) * 180 / M_PI) / 1e4; };
     std::ostringstream text;
     text << degrees(*high);
     if (*low != *high) text << " to " << degrees(*low);

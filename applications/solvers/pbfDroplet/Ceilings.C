@@ -26,18 +26,18 @@ struct MultiplyAdd
     static constexpr int chains = 64, turns = 64;
     static constexpr double operations = 2.0 * chains * turns;
 
-    float factor;
-    Span<float> result;
+    scalar factor;
+    Span<scalar> result;
 
     HOST_DEVICE void operator()(int i) const
     {
-        float x[chains];
-        for (int c = 0; c < chains; ++c) x[c] = float(i + c);
+        scalar x[chains];
+        for (int c = 0; c < chains; ++c) x[c] = scalar(i + c);
         for (int turn = 0; turn < turns; ++turn)
         {
             for (int c = 0; c < chains; ++c) x[c] = x[c] * factor + 0.5f;
         }
-        float sum = 0;
+        scalar sum = 0;
         for (int c = 0; c < chains; ++c) sum += x[c];
         result[i] = sum;
     }
@@ -64,7 +64,7 @@ Ceilings measureCeilings()
     const int vectors = 1 << 24, chains = 1 << 20;
     Buffer<Vec3> from(vectors), to(vectors);
     from.setZero();
-    Buffer<float> result(chains);
+    Buffer<scalar> result(chains);
     const double copied = 2.0 * vectors * sizeof(Vec3);
     return
     {

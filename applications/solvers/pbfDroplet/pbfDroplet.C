@@ -74,7 +74,7 @@ void pbfDroplet(const Arguments& args)
         if (time.readIfModified()) control = StepControl(time.controlDict());
         if (changes.apply(time, liquid, walls, models)) functions.modelsMade(flow);
         const SubSteps steps = subSteps();
-        const float dt = scaled(steps);
+        const scalar dt = scaled(steps);
         time.advance();
 
         for (int step = 0; step < steps.count; ++step)
@@ -115,6 +115,7 @@ extern "C" int runOnDevice(int argc, char** argv)
             .options =
             {
                 deviceOption(),
+                precisionOption(),
                 {"dry-run", "", "read and check everything, print memory and cost, run nothing", ""},
                 {"profile", "", "print what each kernel took, per sub-step, at the end", ""},
                 {"noFunctionObjects", "", "leave out the function objects of system/controlDict", ""}

@@ -17,19 +17,21 @@ namespace
 
 constexpr std::size_t portion = 1 << 14;        // elements
 
-bool canBeRead(double value, FieldType type, bool binary)
+bool canBeRead(double value, FieldType type, const WriteFormat& format)
 {
-    if (type != FieldType::label) return std::isfinite(binary ? static_cast<float>(value) : value);
+    const bool single = format.binary && format.scalarBits == 32;
+    if (type != FieldType::label) return std::isfinite(single ? static_cast<float>(value) : value);
     return std::abs(value) <= std::numeric_limits<std::int32_t>::max() && value == std::trunc(value);
 }
 
 // What could not be read back is not written. first: the element that the values begin with.
 void checkValues
 (
-    const std::filesystem::path& file, FieldType type, std::size_t first, std::span<const double> values, bool binary
+    const std::filesystem::path& file, FieldType type, std::size_t first, std::span<const double> values,
+    const WriteFormat& format
 )
 {
-    const auto bad = std::find_if(values.begin(), values.end(), [&](double v) { return !canBeRead(v, type, binary); });
+    const auto bad = std::find_if(values.begin(), values.end(), [&](double v) { return !canBeRead(v, type, format); });
     if (bad == values.end()) return;
     throw FatalError
     (
@@ -94,9 +96,10 @@ void writeList
         const std::size_t count = std::min(portion, source.elements - first) * componentsOf(source.type);
         const std::span<double> values(buffer.data(), count);
         source.fill(first, values);
-        checkValues(file, source.type, first, values, format.binary);
+        checkValues(file, source.type, first, values, format);
         if (!format.binary) writeAscii(stream, source.type, values, format.precision);
         else if (source.type == FieldType::label) writeBinary<std::int32_t>(stream, values);
+        else if (format.scalarBits == 64) writeBinary<double>(stream, values);
         else writeBinary<float>(stream, values);
     }
     stream << ")";
@@ -105,13 +108,14 @@ void writeList
 // write(stream): what stands behind internalField.
 void writeFile
 (
-    const std::filesystem::path& file, FieldType type, const Dimensions& dimensions, bool binary,
+    const std::filesystem::path& file, FieldType type, const Dimensions& dimensions, const WriteFormat& format,
     const std::function<void(std::ostream&)>& write
 )
 {
+    const std::string arch = "LSB;label=32;scalar=" + std::to_string(format.scalarBits);
     writeAtomically(file, [&](std::ostream& stream)
     {
-        writeFoamFileHeader(stream, file, typeName(type) + "Field", binary ? "LSB;label=32;scalar=32" : "");
+        writeFoamFileHeader(stream, file, typeName(type) + "Field", format.binary ? arch : "");
         stream << "dimensions      " << dimensions.str() << ";\n\ninternalField   ";
         write(stream);
         stream << ";\n";
@@ -121,8 +125,8 @@ void writeFile
 void writeUniform(const std::filesystem::path& file, const FieldData& field, const WriteFormat& format)
 {
     if (field.elements() != 1) throw FatalError("Cannot write " + file.string() + ": a uniform field has one element");
-    checkValues(file, field.type, 0, field.values, format.binary);
-    writeFile(file, field.type, field.dimensions, format.binary, [&](std::ostream& stream)
+    checkValues(file, field.type, 0, field.values, format);
+    writeFile(file, field.type, field.dimensions, format, [&](std::ostream& stream)
     {
         std::string value;
         appendElement(value, field.values.data(), field.type, format.precision);
@@ -134,7 +138,7 @@ void writeUniform(const std::filesystem::path& file, const FieldData& field, con
 
 void writeField(const std::filesystem::path& file, const FieldSource& source, const WriteFormat& format)
 {
-    writeFile(file, source.type, source.dimensions, format.binary, [&](std::ostream& stream)
+    writeFile(file, source.type, source.dimensions, format, [&](std::ostream& stream)
     {
         stream << "nonuniform List<" << typeName(source.type) << "> " << source.elements;
         writeList(stream, file, source, format);

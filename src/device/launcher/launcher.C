@@ -1,7 +1,7 @@
-// The executable of a device application: opens the module of the backend that -device asks for.
+// The executable of a device application: opens the module of the backend that -device and -precision ask for.
 //
-// -device auto takes CUDA where a GPU and the module are there, the CPU otherwise. The module does all the
-// rest; this file only reads the one option, in the forms that core/arguments takes it.
+// -device auto takes CUDA where a GPU and the module are there, the CPU otherwise; double precision is of the CPU alone. The
+// module does all the rest; this file only reads the two options, in the forms that core/arguments takes them.
 
 #include "core/messages/Error.H"
 
@@ -21,10 +21,9 @@ namespace
 
 using EntryPoint = int (*)(int, char**);
 
-// The word behind -device or --device, or glued to it by '='.
-std::string deviceOption(int argc, char** argv)
+// The word behind -name or --name, or glued to it by '='.
+std::string option(const std::string& name, const std::string& fallback, int argc, char** argv)
 {
-    const std::string name = "-device";
     for (int i = 1; i < argc; ++i)
     {
         std::string token = argv[i];
@@ -32,7 +31,7 @@ std::string deviceOption(int argc, char** argv)
         if (token == name && i + 1 < argc) return argv[i + 1];
         if (token.starts_with(name + "=")) return token.substr(name.size() + 1);
     }
-    return "auto";
+    return fallback;
 }
 
 fs::path modulePath(const std::string& backend)
@@ -57,25 +56,42 @@ bool gpuAnswers()
     return init && count && init(0) == 0 && count(&devices) == 0 && devices > 0;
 }
 
-void* openFor(const std::string& device)
+// asked, e.g. "Device 'cuda'", and what to do where it is absent.
+void* openBackend(const std::string& backend, const std::string& asked, const std::string& remedy)
 {
-    // What is no device at all is refused by the application, like every wrong option.
-    if (device != "cuda" && device != "cpu")
-    {
-        const bool gpu = device == "auto" && fs::exists(modulePath("cuda")) && gpuAnswers();
-        return openFor(gpu ? "cuda" : "cpu");
-    }
-    if (!fs::exists(modulePath(device)))
+    const fs::path file = modulePath(backend);
+    if (!fs::exists(file))
     {
         throw FatalError
         (
-            "Device '" + device + "' was asked for but this installation was built without it: "
-          + modulePath(device).string() + " is absent.\n    Install the CUDA toolkit and build again, or use -device cpu."
+            asked + " was asked for but this installation was built without it: " + file.string() + " is absent.\n    " + remedy
         );
     }
-    void* module = open(device);
-    if (!module) throw FatalError("Cannot open " + modulePath(device).string() + ": " + dlerror());
+    void* module = open(backend);
+    if (!module) throw FatalError("Cannot open " + file.string() + ": " + dlerror());
     return module;
+}
+
+void* openDouble(const std::string& device)
+{
+    if (device == "cuda")
+    {
+        throw FatalError
+        (
+            "Device 'cuda' and precision 'double' were asked for, but double precision is compiled for the CPU alone.\n"
+            "    Use -device cpu, or -precision single."
+        );
+    }
+    return openBackend("cpuDouble", "Precision 'double'", "Build it with etc/build -double, or use -precision single.");
+}
+
+void* openFor(const std::string& device, const std::string& precision)
+{
+    // What is no device and no precision at all is refused by the application, like every wrong option.
+    if (precision == "double") return openDouble(device);
+    const bool gpu = device == "cuda" || (device == "auto" && fs::exists(modulePath("cuda")) && gpuAnswers());
+    const std::string backend = gpu ? "cuda" : "cpu";
+    return openBackend(backend, "Device '" + backend + "'", "Install the CUDA toolkit and build again, or use -device cpu.");
 }
 
 // Threads of the CPU backend that wait for the others shall soon sleep: spinning ones starve them where cores are shared.
@@ -92,7 +108,8 @@ int main(int argc, char** argv)
     try
     {
         letWaitingThreadsSleep();
-        const auto run = reinterpret_cast<EntryPoint>(dlsym(openFor(deviceOption(argc, argv)), "runOnDevice"));
+        const std::string device = option("-device", "auto", argc, argv), precision = option("-precision", "single", argc, argv);
+        const auto run = reinterpret_cast<EntryPoint>(dlsym(openFor(device, precision), "runOnDevice"));
         if (!run) throw FatalError("The module of " SHIZUKU_APPLICATION " has no entry point");
         return run(argc, argv);
     }

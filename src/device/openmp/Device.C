@@ -1,5 +1,6 @@
 #include "core/messages/Error.H"
 #include "device/Device.H"
+#include "device/Lanes.H"
 #include "device/Memory.H"
 #include "device/Profile.H"
 #include "device/Readback.H"
@@ -35,7 +36,8 @@ std::string processorName()
 DeviceInfo openDevice()
 {
     const std::size_t memory = std::size_t(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGE_SIZE);
-    return {"cpu", processorName() + ", " + std::to_string(omp_get_max_threads()) + " threads", memory};
+    const std::string backend = sizeof(scalar) == 8 ? "cpuDouble" : "cpu";
+    return {backend, processorName() + ", " + std::to_string(omp_get_max_threads()) + " threads", memory};
 }
 
 void synchronize() {}
@@ -83,11 +85,18 @@ double millisecondsBetween(std::size_t first, std::size_t second)
 
 void forgetMarks() { marks.clear(); }
 
+namespace
+{
+    constexpr std::size_t line = 64;        // bytes: more than any type is aligned to
+
+    std::size_t inLines(std::size_t bytes) { return (bytes + line - 1) / line * line; }
+}
+
 void* newBlock(std::size_t bytes) noexcept
 {
-    constexpr std::size_t behind = 128;
-    const std::size_t all = (bytes + behind + 63) / 64 * 64;
-    void* memory = std::aligned_alloc(64, all);
+    constexpr std::size_t behind = lanes * 4 * sizeof(scalar);      // as many vectors
+    const std::size_t all = inLines(bytes + behind);
+    void* memory = std::aligned_alloc(line, all);
     if (memory) std::memset(memory, 0, all);    // what is read behind the end counts nothing, but has to be a number
     return memory;
 }
@@ -96,7 +105,7 @@ void deleteBlock(void* memory) noexcept { std::free(memory); }
 
 void* allocateHost(std::size_t bytes)
 {
-    void* memory = std::malloc(bytes);
+    void* memory = std::aligned_alloc(line, inLines(bytes));
     if (!memory && bytes > 0) throw FatalError("Cannot allocate " + std::to_string(bytes >> 20) + " MiB of memory");
     return memory;
 }

@@ -87,6 +87,21 @@ TEST(FieldFile, KeepsEveryFloatBitwise)
     }
 }
 
+// Of 64 bits, beside labels of 32; what overflows a float too.
+TEST(FieldFile, KeepsEveryDoubleWhereNumbersHave64Bits)
+{
+    const std::vector<double> doubles{0.1, -1.0 / 3, 1e300, 5e-324, 0, -0.0};
+    const ScratchFolder folder;
+    const fs::path file = folder.path() / "0.05/liquid/U";
+    for (const WriteFormat& format : {WriteFormat{true, 9, 64}, WriteFormat{false, 17, 64}})
+    {
+        writeField(file, vectorField(doubles), format);
+        const FieldData field = readField(file, FieldType::vector, dimensions::velocity, 2);
+        EXPECT_EQ(std::memcmp(field.values.data(), doubles.data(), sizeof(double) * doubles.size()), 0) << "binary: " << format.binary;
+        EXPECT_EQ(bool(holds(folder.read("0.05/liquid/U"), {"LSB;label=32;scalar=64"})), format.binary);
+    }
+}
+
 TEST(FieldFile, KeepsEveryLabel)
 {
     const std::vector<double> labels{0, -1, 42, 2147483647, -2147483647, 7};

@@ -45,7 +45,7 @@ std::vector<Vec3> scaled(const std::vector<Vector3>& positions, double unit)
 {
     std::vector<Vec3> result;
     result.reserve(positions.size());
-    for (const Vector3& x : positions) result.push_back({float(x.x / unit), float(x.y / unit), float(x.z / unit)});
+    for (const Vector3& x : positions) result.push_back({scalar(x.x / unit), scalar(x.y / unit), scalar(x.z / unit)});
     return result;
 }
 
@@ -126,6 +126,7 @@ extern "C" int runOnDevice(int argc, char** argv)
         .options =
         {
             deviceOption(),
+            precisionOption(),
             {"formats", "LIST", "of " + words + ", e.g. \"(ply stl)\"; default: those of system/meshSurfaceDict, or ply", ""},
             {"repeats", "N", "make each mesh N times more, and print what it takes", "0"}
         }

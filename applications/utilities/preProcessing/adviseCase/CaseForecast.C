@@ -69,11 +69,11 @@ int writesOf(const std::filesystem::path& casePath)
 
 }
 
-CaseForecast forecastCase(const TrialCase& trial, const std::string& device, double measuredFor)
+CaseForecast forecastCase(const TrialCase& trial, const std::vector<std::string>& backend, double measuredFor)
 {
     const std::filesystem::path& casePath = trial.path();
     device::dropKeptMemory();                                   // the solver may need it
-    const SolverStart start = startSolver(trial, device, measuredFor);
+    const SolverStart start = startSolver(trial, backend, measuredFor);
     deviceCounters().peakBytes = deviceCounters().bytes;        // of this case alone
     Time time(casePath);
     const Dictionary solution = Dictionary::read(casePath / "system/solution");

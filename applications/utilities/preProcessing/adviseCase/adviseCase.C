@@ -145,7 +145,7 @@ void adviseCase(const Arguments& args)
     const double tolerance = readTolerance(args);
     const bool measure = args.found("measure");
     const double measuredFor = measure ? measuring : 0;
-    const std::string backend = args.get("device");
+    const std::vector<std::string> backend{"-device", args.get("device"), "-precision", args.get("precision")};
 
     const StoredStudies studies;
     const TrialCase trial(args.casePath());
@@ -204,7 +204,8 @@ extern "C" int runOnDevice(int argc, char** argv)
                 {"explain", "", "print the reason of each advice, with its numbers and their source", ""},
                 {"apply", "", "write the advice into the case; the old dictionaries stay beside as *.old", ""},
                 {"measure", "", "time a few steps on this machine's device: else times are of another one", ""},
-                deviceOption()
+                deviceOption(),
+                precisionOption()
             }
         },
         adviseCase

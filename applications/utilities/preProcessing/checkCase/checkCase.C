@@ -77,7 +77,7 @@ extern "C" int runOnDevice(int argc, char** argv)
         {
             .name = "checkCase",
             .summary = "Read a case as the solver does: errors, particles, resolution, dimensionless numbers, memory, time step.",
-            .options = {deviceOption()}
+            .options = {deviceOption(), precisionOption()}
         },
         checkCase
     );
