@@ -43,16 +43,6 @@ std::string rangeOf(const std::vector<scalar>& cosines)
     return text.str();
 }
 
-// The contact angles that constant/wettability gives to the solid particles.
-std::vector<double> evaluateTheta(const std::filesystem::path& casePath)
-{
-    return thetaField
-    (
-        readSolidParticles(casePath), readAnalyticSurfaces(Dictionary::read(casePath / "constant/walls")),
-        Dictionary::read(casePath / wettabilityFile), casePath
-    );
-}
-
 }
 
 CaseChanges::CaseChanges(const Time& time)
@@ -122,7 +112,7 @@ void CaseChanges::make(const Time& time, bool wettability, Liquid& liquid, Walls
     liquidDict.refuseUnused();
     const auto cosines = walls.cosines();
     std::vector<double> theta;
-    if (cosines && wettability && walls.particles() > 0) theta = evaluateTheta(time.casePath());
+    if (cosines && wettability && walls.particles() > 0) theta = caseTheta(time.casePath());
     std::optional<WallCosines> newCosines;
     if (cosines) newCosines = walls.readCosines(time.value());
     if (!theta.empty()) newCosines->setParticles(theta);

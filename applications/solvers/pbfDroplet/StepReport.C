@@ -2,6 +2,7 @@
 
 #include "core/arguments/runApplication.H"
 #include "geometry/SeparateBodies.H"
+#include "geometry/thetaModels/ThetaField.H"
 
 #include <cmath>
 #include <iostream>
@@ -37,6 +38,22 @@ void warnOfResolution(FlowView& flow)
     {
         warning(text, {(flow.time.casePath() / "system/solution").string(), 0});
     }
+}
+
+void warnOfOtherTheta(const Time& time, const Walls& walls)
+{
+    const auto file = time.casePath() / "constant/wettability";
+    if (walls.particles() == 0 || !walls.cosines() || !std::filesystem::exists(file)) return;
+    std::string text;
+    try
+    {
+        text = otherTheta(caseTheta(time.casePath()), findInstance(time.casePath(), time.value(), "solid/theta"));
+    }
+    catch (const FatalInputError& error)
+    {
+        text = std::string(error.what()) + "\nThe contact angles of solid/theta stay in force";
+    }
+    if (!text.empty()) warning(text);
 }
 
 void reportRelaxation(int rounds)

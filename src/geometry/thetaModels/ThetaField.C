@@ -3,7 +3,9 @@
 #include "geometry/thetaModels/ThetaModel.H"
 
 #include <algorithm>
+#include <cmath>
 #include <regex>
+#include <sstream>
 
 namespace shizuku
 {
@@ -77,6 +79,34 @@ void refuseUnknownWalls(const Dictionary& wettability, const std::vector<std::st
             );
         }
     }
+}
+
+std::vector<double> caseTheta(const std::filesystem::path& casePath)
+{
+    const SolidParticles solid = useSolidParticles(casePath) ? readSolidParticles(casePath) : SolidParticles();
+    return thetaField
+    (
+        solid, readAnalyticSurfaces(Dictionary::read(casePath/"constant/walls")), Dictionary::read(casePath/"constant/wettability"),
+        casePath
+    );
+}
+
+std::string otherTheta(const std::vector<double>& theta, const std::filesystem::path& folder)
+{
+    constexpr double digits = 1e-3;         // degrees
+    const FieldData written = readField(folder/"solid/theta", FieldType::scalar, dimensions::none, long(theta.size()));
+    std::size_t others = 0, first = 0;
+    for (std::size_t i = 0; i < theta.size(); ++i)
+    {
+        if (std::abs(theta[i] - written(i)) <= digits) continue;
+        if (others++ == 0) first = i;
+    }
+    if (others == 0) return "";
+    std::ostringstream text;
+    text << "constant/wettability gives " << others << " of " << theta.size() << " solid particles other contact angles than "
+         << (folder/"solid/theta").string() << " has, which is what counts: " << theta[first] << " degrees instead of " << written(first)
+         << "\nExpected: the same angles in both; sampleTheta writes those of constant/wettability to 0/solid/theta";
+    return text.str();
 }
 
 void writeTheta(const std::filesystem::path& folder, const std::vector<double>& theta, const WriteFormat& format)

@@ -1,7 +1,9 @@
 #include "SolvedCase.H"
 
 #include "functionObjects/FunctionObjects.H"
+#include "geometry/SampledWall.H"
 #include "geometry/liquidBodies/FilledBody.H"
+#include "geometry/thetaModels/ThetaField.H"
 #include "stepping/StartCheck.H"
 
 namespace shizuku
@@ -19,6 +21,7 @@ SolvedCase::SolvedCase(const std::filesystem::path& casePath, Findings& findings
     findings.attempt([&] { time.emplace(path); });
     readLiquid(findings);
     readWallsAndModels(findings);
+    readSurfaces(findings);
     readFunctions(findings);
     readParticles(findings);
     readDictionaries(findings);
@@ -71,6 +74,30 @@ void SolvedCase::readModelsApart(Liquid& standIn, Walls* walls, Findings& findin
     if (walls) findings.attempt([&] { InterParticleForces(*models, standIn, *walls, surface); });
     if (solution_) findings.attempt([&] { Pressure::New(*models, *solution_, standIn, walls ? *walls : noWalls, surface); });
     findings.attempt([&] { Viscosity::New(*models, standIn); });
+    findings.attempt([&] { ParticleShifting::New(*models, standIn, walls ? *walls : noWalls, surface); });
+}
+
+// What sampleSurface and sampleTheta read of the walls, whether or not they have run; and whether they still say what these made of it.
+void SolvedCase::readSurfaces(Findings& findings)
+{
+    if (!std::filesystem::exists(path / "constant/walls")) return;
+    std::vector<SampledWall> sampled;
+    if (!findings.attempt([&] { sampled = readSampledWalls(path); })) return;
+    const bool particles = haveSolidParticles(path);
+    if (!particles)
+    {
+        for (const SampledWall& wall : sampled) findings.attempt([&] { refuseMissingSurface(wall); });
+    }
+    const bool angles = std::filesystem::exists(path / "constant/wettability");
+    if (!angles || (!sampled.empty() && !particles)) return;        // a model that needs angles has said so; patches are not known yet
+    std::vector<double> theta;
+    if (!findings.attempt([&] { theta = caseTheta(path); }) || theta.empty() || !time) return;
+    const auto folder = findInstance(path, time->value(), "solid/theta");
+    if (folder.empty()) return;
+    findings.attempt([&]
+    {
+        if (const std::string text = otherTheta(theta, folder); !text.empty()) findings.warn(text);
+    });
 }
 
 void SolvedCase::readFunctions(Findings& findings)

@@ -58,6 +58,7 @@ std::string description(const RepairedSurface& repaired)
 
 PatchedSurface loadSurface(const SampledWall& wall, double spacing)
 {
+    refuseMissingSurface(wall);
     PatchedSurface raw = readSurface(wall.file, wall.name);
     for (Vector3& vertex : raw.mesh.vertices) vertex *= wall.scale;
     std::cout << wall.name << ": read " << raw.mesh.faces.size() << " triangles from " << wall.file.filename().string()
