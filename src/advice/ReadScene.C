@@ -206,7 +206,7 @@ Scene Scene::read(const fs::path& path, const fs::path& filled, const StoredStud
     const Time time(filled);
     readDictionaries(scene, path, time);
 
-    const std::vector<Vector3> positions = readLiquidPositions(time.path());
+    const std::vector<Vector3> positions = readLiquidPositions(time.path(), scene.spacing);
     const FieldData U =
         readField(time.path()/"liquid/U", FieldType::vector, dimensions::velocity, long(positions.size()));
     const std::vector<SeparateBody> bodies = separateBodies(positions, toVectors(U, positions.size()), scene.spacing);

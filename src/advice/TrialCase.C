@@ -103,8 +103,8 @@ void TrialCase::refill() const
     fs::create_directories(path_/"0/liquid");
     if (fs::exists(case_/"0/solid")) fs::create_directory_symlink(fs::absolute(case_/"0/solid"), path_/"0/solid");
 
-    const std::vector<FilledBody> bodies = readBodies(Dictionary::read(dict), path_, readSpacing(path_));
-    writeBodies(path_/"0/liquid", bodies, {.binary = true});
+    const double spacing = readSpacing(path_);
+    writeBodies(path_/"0/liquid", readBodies(Dictionary::read(dict), path_, spacing), spacing, {.binary = true});
     changeCase(path_, {{"system/controlDict", "startFrom", "firstTime"}}, false);
 }
 

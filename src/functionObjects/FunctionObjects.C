@@ -20,6 +20,12 @@ FunctionObjects::FunctionObjects(const Time& time, double spacing, bool enabled)
     for (const std::string& name : functions.dictKeys())
     {
         const Dictionary dict = functions.subDict(name);
+        if (dict.found("libs")) dict.lookup<std::vector<std::string>>("libs");      // of OpenFOAM's: here all are there
+        if (!dict.lookupOr("enabled", true))
+        {
+            dict.markUsed();
+            continue;
+        }
         const FunctionSetting setting{time.casePath(), time.casePath() / "postProcessing" / name / time.name(), spacing};
         auto object = FunctionObjectTable::New
         (

@@ -18,6 +18,14 @@ std::vector<Vector3> readLiquidPositions(const std::filesystem::path& timePath)
     return toVectors(positions, positions.elements());
 }
 
+std::vector<Vector3> readLiquidPositions(const std::filesystem::path& timePath, double spacing)
+{
+    const std::filesystem::path file = timePath/"liquid/positions";
+    const FieldData positions = readField(file, FieldType::vector, dimensions::length);
+    refuseOtherSpacing(file, positions.spacing, spacing);
+    return toVectors(positions, positions.elements());
+}
+
 std::filesystem::path liquidSurfaceFile(const std::filesystem::path& timePath, const std::string& format)
 {
     return timePath/"surface"/("liquid." + format);

@@ -33,7 +33,7 @@ double LiquidProperties::capillaryStep() const
 
 Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)
 :
-    ParticleSet("liquid"),
+    ParticleSet("liquid", properties.spacing),
     position(fields().add<Vec3>
     ({
         .name = "positions", .dimensions = dimensions::length, .written = true, .restarted = true, .exchanged = true

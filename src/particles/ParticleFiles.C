@@ -83,6 +83,7 @@ void readParticles(ParticleSet& particles, const Units& units, const std::filesy
             "internalField nonuniform List<vector> ..., one position a particle"
         );
     }
+    if (particles.ownSpacing() > 0) refuseOtherSpacing(positionFile, positions.spacing(), particles.ownSpacing());
     constexpr std::size_t most = std::numeric_limits<int>::max();
     if (positions.elements() > most)
     {
@@ -135,6 +136,7 @@ void fill(const HostBuffer<T>& host, double unit, std::size_t first, std::span<d
 void ParticleCopy::take(const ParticleSet& particles, const Units& units)
 {
     name_ = particles.name();
+    spacing_ = particles.ownSpacing();
     count_ = particles.owned();
     std::size_t taken = 0;
     for (const auto& entry : particles.fields().entries())
@@ -169,7 +171,8 @@ void ParticleCopy::write(const std::filesystem::path& timeFolder, const WriteFor
         {
             std::visit([&](const auto& host) { fill(host, field.unit, first, values); }, field.values);
         };
-        const FieldSource source{types[field.values.index()], field.info.dimensions, std::size_t(count_), portion};
+        const double spacing = field.info.name == "positions" ? spacing_ : 0;
+        const FieldSource source{types[field.values.index()], field.info.dimensions, std::size_t(count_), portion, spacing};
         writeField(timeFolder / name_ / field.info.name, source, ofScalars);
     }
 }

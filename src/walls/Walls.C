@@ -238,7 +238,7 @@ void Walls::refuseLiquidInside(const Liquid& liquid) const
         throw FatalInputError
         (
             where, "Liquid particle " + std::to_string(i) + " at " + str(Vector3(x.x * unit, x.y * unit, x.z * unit))
-          + " m is inside the solid '" + wall + "', or too near to it", "liquid half a spacing outside of every wall"
+          + " m is inside the solid '" + wall + "', or too near to it", "liquid half a spacing outside of every wall, which is where the normals of a sampled one point to"
         );
     };
     if (const auto inside = liquidInside(liquid, surfaces_))

@@ -44,15 +44,7 @@ void warnOfOtherTheta(const Time& time, const Walls& walls)
 {
     const auto file = time.casePath() / "constant/wettability";
     if (walls.particles() == 0 || !walls.cosines() || !std::filesystem::exists(file)) return;
-    std::string text;
-    try
-    {
-        text = otherTheta(caseTheta(time.casePath()), findInstance(time.casePath(), time.value(), "solid/theta"));
-    }
-    catch (const FatalInputError& error)
-    {
-        text = std::string(error.what()) + "\nThe contact angles of solid/theta stay in force";
-    }
+    const std::string text = otherTheta(time.casePath(), findInstance(time.casePath(), time.value(), "solid/theta"));
     if (!text.empty()) warning(text);
 }
 

@@ -1,6 +1,10 @@
 #include "core/fieldFile/FieldFile.H"
 
 #include "core/fieldFile/FieldReader.H"
+#include "core/messages/Error.H"
+
+#include <cmath>
+#include <sstream>
 
 namespace shizuku
 {
@@ -10,7 +14,7 @@ namespace
 
 FieldData readAll(const std::filesystem::path& file, const FieldReader& reader)
 {
-    FieldData field{file.filename().string(), reader.type(), reader.dimensions(), reader.uniform(), {}};
+    FieldData field{file.filename().string(), reader.type(), reader.dimensions(), reader.uniform(), {}, reader.spacing()};
     const std::size_t elements = reader.elements();
     field.values.reserve(elements * componentsOf(field.type));
     reader.read(elements, [&](std::size_t, std::span<const double> values)
@@ -20,6 +24,16 @@ FieldData readAll(const std::filesystem::path& file, const FieldReader& reader)
     return field;
 }
 
+}
+
+void refuseOtherSpacing(const std::filesystem::path& file, double found, double wanted)
+{
+    constexpr double digits = 1e-6;
+    if (found == 0 || std::abs(found - wanted) <= digits * wanted) return;
+    std::ostringstream text, expected;
+    text << "These particles were made at a spacing of " << found << " m, and system/solution has " << wanted << " m";
+    expected << "spacing " << found << "; in system/solution, or fillLiquid run again";
+    throw FatalInputError({file.string(), 0}, text.str(), expected.str());
 }
 
 std::string typeName(FieldType type)

@@ -140,6 +140,7 @@ FieldReader::FieldReader
     const Dictionary dict = Dictionary::parse(parts.dictionary, name_);
     const Dictionary header = dict.subDict("FoamFile");
     type_ = readType(header, type);
+    spacing_ = header.subDictOrEmpty("meta").lookupOr("spacing", 0.0);
     dimensions_ = dict.lookupDimensions("dimensions");
     if (dimensions && dimensions_ != *dimensions)
     {

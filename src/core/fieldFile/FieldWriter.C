@@ -105,17 +105,27 @@ void writeList
     stream << ")";
 }
 
+// What the header says of the field besides its type.
+std::string metaOf(double spacing)
+{
+    if (spacing == 0) return "";
+    std::string text = "spacing ";
+    appendNumber(text, spacing, FieldType::scalar, 9);
+    return text + ";";
+}
+
 // write(stream): what stands behind internalField.
 void writeFile
 (
-    const std::filesystem::path& file, FieldType type, const Dimensions& dimensions, const WriteFormat& format,
+    const std::filesystem::path& file, FieldType type, const Dimensions& dimensions, double spacing,
+    const WriteFormat& format,
     const std::function<void(std::ostream&)>& write
 )
 {
     const std::string arch = "LSB;label=32;scalar=" + std::to_string(format.scalarBits);
     writeAtomically(file, [&](std::ostream& stream)
     {
-        writeFoamFileHeader(stream, file, typeName(type) + "Field", format.binary ? arch : "");
+        writeFoamFileHeader(stream, file, typeName(type) + "Field", format.binary ? arch : "", metaOf(spacing));
         stream << "dimensions      " << dimensions.str() << ";\n\ninternalField   ";
         write(stream);
         stream << ";\n";
@@ -126,7 +136,7 @@ void writeUniform(const std::filesystem::path& file, const FieldData& field, con
 {
     if (field.elements() != 1) throw FatalError("Cannot write " + file.string() + ": a uniform field has one element");
     checkValues(file, field.type, 0, field.values, format);
-    writeFile(file, field.type, field.dimensions, format, [&](std::ostream& stream)
+    writeFile(file, field.type, field.dimensions, field.spacing, format, [&](std::ostream& stream)
     {
         std::string value;
         appendElement(value, field.values.data(), field.type, format.precision);
@@ -138,7 +148,7 @@ void writeUniform(const std::filesystem::path& file, const FieldData& field, con
 
 void writeField(const std::filesystem::path& file, const FieldSource& source, const WriteFormat& format)
 {
-    writeFile(file, source.type, source.dimensions, format, [&](std::ostream& stream)
+    writeFile(file, source.type, source.dimensions, source.spacing, format, [&](std::ostream& stream)
     {
         stream << "nonuniform List<" << typeName(source.type) << "> " << source.elements;
         writeList(stream, file, source, format);
@@ -152,7 +162,7 @@ void writeField(const std::filesystem::path& file, const FieldData& field, const
     {
         std::copy_n(field.values.begin() + first * componentsOf(field.type), values.size(), values.begin());
     };
-    writeField(file, {field.type, field.dimensions, field.elements(), fill}, format);
+    writeField(file, {field.type, field.dimensions, field.elements(), fill, field.spacing}, format);
 }
 
 }

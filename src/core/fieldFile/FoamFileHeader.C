@@ -22,7 +22,8 @@ std::string locationOf(const std::filesystem::path& file)
 
 void writeFoamFileHeader
 (
-    std::ostream& stream, const std::filesystem::path& file, const std::string& foamClass, const std::string& arch
+    std::ostream& stream, const std::filesystem::path& file, const std::string& foamClass, const std::string& arch,
+    const std::string& meta
 )
 {
     stream << "FoamFile\n{\n    version     2.0;\n    format      " << (arch.empty() ? "ascii" : "binary") << ";\n";
@@ -30,7 +31,9 @@ void writeFoamFileHeader
     stream
         << "    class       " << foamClass << ";\n"
         << "    location    \"" << locationOf(file) << "\";\n"
-        << "    object      " << finalName(file.filename().string()) << ";\n}\n\n";
+        << "    object      " << finalName(file.filename().string()) << ";\n";
+    if (!meta.empty()) stream << "    meta        { " << meta << " }\n";
+    stream << "}\n\n";
 }
 
 }

@@ -49,7 +49,7 @@ TimeFolder findStart(const fs::path& casePath, const Controls& controls, const D
     if (folders.empty())
     {
         const SourceLocation where{casePath.string(), 0};
-        throw FatalInputError(where, "The case has no time folder", "a folder such as 0 to start from");
+        throw FatalInputError(where, "The case has no time folder", "a folder such as 0 to start from: run fillLiquid, which makes it");
     }
     if (controls.startFrom == StartFrom::firstTime) return folders.front();
     if (controls.startFrom == StartFrom::latestTime) return folders.back();

@@ -89,12 +89,15 @@ std::vector<FilledBody> readBodies
     return result;
 }
 
-void writeBodies(const std::filesystem::path& folder, const std::vector<FilledBody>& bodies, const WriteFormat& format)
+void writeBodies
+(
+    const std::filesystem::path& folder, const std::vector<FilledBody>& bodies, double spacing, const WriteFormat& format
+)
 {
     std::size_t count = 0;
     for (const FilledBody& body : bodies) count += body.positions.size();
     const auto fill = [&](std::size_t first, std::span<double> values) { fillPositions(bodies, first, values); };
-    writeField(folder/"positions", {FieldType::vector, dimensions::length, count, fill}, format);
+    writeField(folder/"positions", {FieldType::vector, dimensions::length, count, fill, spacing}, format);
     writeField(folder/"U", velocityField(bodies), format);
 }
 

@@ -91,7 +91,21 @@ std::vector<double> caseTheta(const std::filesystem::path& casePath)
     );
 }
 
-std::string otherTheta(const std::vector<double>& theta, const std::filesystem::path& folder)
+namespace
+{
+
+// Images are known only where VTK is linked.
+bool knowsAllTypes(const Dictionary& wettability)
+{
+    const std::vector<std::string> types = ThetaModelTable::words(), names = wettability.dictKeys();
+    return std::all_of(names.begin(), names.end(), [&](const std::string& name)
+    {
+        const auto type = wettability.subDict(name).lookupOr<std::string>("type", "constant");
+        return std::find(types.begin(), types.end(), type) != types.end();
+    });
+}
+
+std::string difference(const std::vector<double>& theta, const std::filesystem::path& folder)
 {
     constexpr double digits = 1e-3;         // degrees
     const FieldData written = readField(folder/"solid/theta", FieldType::scalar, dimensions::none, long(theta.size()));
@@ -107,6 +121,21 @@ std::string otherTheta(const std::vector<double>& theta, const std::filesystem::
          << (folder/"solid/theta").string() << " has, which is what counts: " << theta[first] << " degrees instead of " << written(first)
          << "\nExpected: the same angles in both; sampleTheta writes those of constant/wettability to 0/solid/theta";
     return text.str();
+}
+
+}
+
+std::string otherTheta(const std::filesystem::path& casePath, const std::filesystem::path& folder)
+{
+    try
+    {
+        if (!knowsAllTypes(Dictionary::read(casePath/"constant/wettability"))) return "";
+        return difference(caseTheta(casePath), folder);
+    }
+    catch (const FatalInputError& error)
+    {
+        return std::string(error.what()) + "\nThe contact angles of " + (folder/"solid/theta").string() + " stay in force";
+    }
 }
 
 void writeTheta(const std::filesystem::path& folder, const std::vector<double>& theta, const WriteFormat& format)

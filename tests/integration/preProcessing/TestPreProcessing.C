@@ -156,7 +156,11 @@ TEST_F(PreProcessing, badSurfacesAreRefused)
     folder_.write(stl, stlText(rectangle(20, 0), "line"));
     expectRefusal("sampleSurface", {"floor.stl", "degenerate"}, output);
     std::filesystem::remove(casePath()/stl);
-    expectRefusal("sampleSurface", {"Cannot read", "floor.stl"}, output);
+    folder_.write("constant/triSurface/flour.stl", "");
+    expectRefusal
+    (
+        "sampleSurface", {"'floor.stl' of the wall 'floor' is not in", "constant/walls at line ", "Did you mean 'flour.stl'"}, output
+    );
 }
 
 TEST_F(PreProcessing, surfacesInOtherUnitsAreRefusedWithAHint)

@@ -126,11 +126,30 @@ TEST_P(CheckCase, missingParts)
     write("system/solution", "spacing 1e-3;\n");
     remove("0/liquid");
     remove("constant/solid");
-    expectFailures(3, {"constant/models", "run sampleSurface", "run fillLiquid"});
+    expectFailures(4, {"constant/models", "run sampleSurface", "'floor.stl' of the wall 'floor' is not in", "run fillLiquid"});
     remove("system/controlDict");
     const Outcome outcome = check();
     EXPECT_EQ(outcome.status, 1);
     EXPECT_TRUE(holds(outcome.text, {"not a case"}));
+}
+
+// Angles that were edited after sampleTheta ran: the solver, too, warns and keeps those of 0/solid/theta. What sampleTheta would refuse
+// before it ran.
+TEST_P(CheckCase, contactAngles)
+{
+    write("constant/wettability", "floor { theta 200; }\nside { theta 90; }\n");
+    Outcome outcome = check();
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"*Warning: ", "wettability/floor is 200", "0 to 180", "0/solid/theta stay in force"}));
+    write("constant/wettability", "floor { theta 120; }\nside { theta 90; }\n");
+    outcome = check();
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    const std::string text = std::to_string(solids) + " of " + std::to_string(solids) + " solid particles other contact angles";
+    EXPECT_TRUE(holds(outcome.text, {"*Warning: constant/wettability gives " + text, "120 degrees instead of 60", "sampleTheta"}));
+    EXPECT_TRUE(holds(solve().text, {"--> WARNING: constant/wettability gives " + text}));
+    remove("0/solid");
+    write("constant/wettability", "flor { theta 60; }\nside { theta 90; }\n");
+    expectFailures(2, {"run sampleTheta", "'flor'", "Did you mean 'floor'"});
 }
 
 TEST_P(CheckCase, particlesOfAnotherSpacing)

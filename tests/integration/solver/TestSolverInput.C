@@ -244,6 +244,12 @@ TEST_P(Input, overlappingLiquid)
     write("system/solution", good);
     ASSERT_EQ(solve().status, 0);
     write("system/solution", crowded);
+    refused({"a spacing of 0.001 m"}, "0.004/liquid/positions");
+    // Particles that do not tell their spacing.
+    const std::string meta = "    meta        { spacing 0.001; }\n";
+    std::string positions = read("0.004/liquid/positions");
+    ASSERT_NE(positions.find(meta), std::string::npos);
+    write("0.004/liquid/positions", positions.erase(positions.find(meta), meta.size()));
     refused({"overlapping itself"}, "0.004/liquid/positions");
 
     // Asked to, it moves them apart; what checkCase says of that is no error.
@@ -252,6 +258,14 @@ TEST_P(Input, overlappingLiquid)
     const Outcome outcome = solve();
     EXPECT_EQ(outcome.status, 0) << outcome.text;
     EXPECT_TRUE(holds(outcome.text, {"its particles were moved apart in ", "\nEnd\n"}));
+}
+
+// Particles written by a run say at which spacing they were made; these stand for another volume with another one.
+TEST_P(Input, liquidOfAnotherSpacing)
+{
+    EXPECT_EQ(solve().status, 0);
+    write("system/solution", "spacing 1.02e-3;\n");
+    expectRefusal({"a spacing of 0.001 m", "0.00102 m", "liquid/positions", "fillLiquid"});
 }
 
 TEST_P(Input, fields)

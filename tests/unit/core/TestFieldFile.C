@@ -70,6 +70,31 @@ FieldData readScalars(const ScratchFolder& folder, const std::string& text)
 
 }
 
+// A spacing that is not the case's is refused, one that differs by less than its nine digits is not, nor is none.
+TEST(FieldFile, KeepsTheSpacingOfParticles)
+{
+    const ScratchFolder folder;
+    FieldData field = vectorField({1, 2, 3, 4, 5, 6});
+    for (const bool binary : {false, true})
+    {
+        for (const bool uniform : {false, true})
+        {
+            field.uniform = uniform;
+            field.values.resize(uniform ? 3 : 6);
+            for (const double spacing : {0.0, 1.28e-4, 1e-3/3})
+            {
+                field.spacing = spacing;
+                writeField(folder.path()/"U", field, {binary});
+                EXPECT_NEAR(readField(folder.path()/"U").spacing, spacing, 1e-9*spacing);
+            }
+        }
+        field.values.resize(6);
+    }
+    EXPECT_NO_THROW(refuseOtherSpacing("U", 0, 1e-4));
+    EXPECT_NO_THROW(refuseOtherSpacing("U", 1.00000001e-4, 1e-4));
+    EXPECT_NE(messageOf([] { refuseOtherSpacing("U", 1.28e-4, 1e-4); }).find("a spacing of 0.000128 m"), std::string::npos);
+}
+
 TEST(FieldFile, KeepsEveryFloatBitwise)
 {
     const auto floats = manyFloats(30000);

@@ -174,6 +174,7 @@ void render(const Arguments& args)
     const std::filesystem::path file = args.found("output")
         ? std::filesystem::absolute(args.get("output"))
         : args.casePath()/(args.casePath().filename().string() + ".png");
+    if (file.extension() != ".png") throw FatalError("The picture " + file.string() + " is no PNG by its name\n    Expected: a name that ends in .png");
     const VirtualDisplay display;
     renderPicture(scene, view, file);
     std::cout << "Time = " << time.name << "\nWritten: " << file.string() << '\n';

@@ -88,16 +88,16 @@ void SolvedCase::readSurfaces(Findings& findings)
     {
         for (const SampledWall& wall : sampled) findings.attempt([&] { refuseMissingSurface(wall); });
     }
-    const bool angles = std::filesystem::exists(path / "constant/wettability");
-    if (!angles || (!sampled.empty() && !particles)) return;        // a model that needs angles has said so; patches are not known yet
-    std::vector<double> theta;
-    if (!findings.attempt([&] { theta = caseTheta(path); }) || theta.empty() || !time) return;
-    const auto folder = findInstance(path, time->value(), "solid/theta");
-    if (folder.empty()) return;
-    findings.attempt([&]
+    if (!std::filesystem::exists(path / "constant/wettability")) return;        // a model that needs angles has said so
+    if (!sampled.empty() && !particles) return;                                 // and patches are not known yet
+    const auto folder = time ? findInstance(path, time->value(), "solid/theta") : std::filesystem::path();
+    if (sampled.empty() || folder.empty())
     {
-        if (const std::string text = otherTheta(theta, folder); !text.empty()) findings.warn(text);
-    });
+        findings.attempt([&] { caseTheta(path); });
+        return;
+    }
+    const std::string text = otherTheta(path, folder);
+    if (!text.empty()) findings.warn(text);
 }
 
 void SolvedCase::readFunctions(Findings& findings)

@@ -48,7 +48,7 @@ void run(const Arguments& args)
     for (const FilledBody& body : bodies) report(body, spacing);
     writeFolderAtomically(casePath/"0"/"liquid", [&](const std::filesystem::path& partial)
     {
-        writeBodies(partial, bodies, format);
+        writeBodies(partial, bodies, spacing, format);
     });
     std::size_t count = 0;
     for (const FilledBody& body : bodies) count += body.positions.size();
