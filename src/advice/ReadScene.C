@@ -54,7 +54,7 @@ void readDictionaries(Scene& scene, const fs::path& path, const Time& time)
     scene.smoothing = models.subDictOrEmpty("XSPHCoeffs").lookupOr("c", 0.05);
     scene.smoothingPerCapillaryStep = models.subDictOrEmpty("XSPHCoeffs").lookupOr("perCapillaryStep", 0.0);
     scene.support = solution.subDictOrEmpty("kernel").lookupOr("support", 2.0);
-    scene.maxIterations = solution.subDictOrEmpty("pressure").lookupOr("maxIterations", 0);
+    scene.maxIterations = solution.subDictOrEmpty("pressure").lookupOr("maxIterations", 10);       // the solver's default
     scene.coarseGrid = solution.subDictOrEmpty("pressure").lookupOr("coarseGrid", false);
     scene.refillable = fs::exists(path/"system/fillLiquidDict");
 }

@@ -31,7 +31,7 @@ public:
     std::optional<Advice> advise(Scene& scene) const override
     {
         const double g = length(scene.gravity), d = scene.spacing, reach = scene.maxIterations*scene.support;
-        if (scene.models.at("pressure") != "completedPbf" || g == 0 || scene.maxIterations == 0) return std::nullopt;
+        if (scene.models.at("pressure") != "completedPbf" || g == 0) return std::nullopt;
 
         double deepest = 0, thrown = 0;         // spacings
         for (const SceneBody& body : scene.bodies)

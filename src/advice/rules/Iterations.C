@@ -30,7 +30,7 @@ public:
             return flowNumbers(scene.scales(body)).weber > fastest;
         });
         const bool studied = set && set->name == "default" && answer.scene == "sessile" && !fast;
-        if (scene.maxIterations == 0 || !studied) return std::nullopt;
+        if (!studied) return std::nullopt;
 
         const double n = scene.particles(scene.smallest());
         std::vector<double> tried = scene.studies->iterations(answer.scene);

@@ -77,7 +77,7 @@ void refuseForeign(const Dictionary& dict)
 
 void checkStepControl(const Dictionary& dict)
 {
-    dict.lookupOr<bool>("adjustTimeStep", false);
+    if (dict.found("adjustTimeStep")) dict.lookup<bool>("adjustTimeStep");
     for (const char* key : {"maxCo", "maxCapillaryCo"})
     {
         if (dict.found(key)) dict.lookupPositive(key, dimensions::none);
