@@ -12,17 +12,11 @@ double readSpacing(const std::filesystem::path& casePath)
     return Dictionary::read(casePath/"system/solution").lookupPositive("spacing", dimensions::length);
 }
 
-std::vector<Vector3> readLiquidPositions(const std::filesystem::path& timePath)
-{
-    const FieldData positions = readField(timePath/"liquid/positions", FieldType::vector, dimensions::length);
-    return toVectors(positions, positions.elements());
-}
-
-std::vector<Vector3> readLiquidPositions(const std::filesystem::path& timePath, double spacing)
+std::vector<Vector3> readLiquidPositions(const std::filesystem::path& timePath, std::optional<double> spacing)
 {
     const std::filesystem::path file = timePath/"liquid/positions";
     const FieldData positions = readField(file, FieldType::vector, dimensions::length);
-    refuseOtherSpacing(file, positions.spacing, spacing);
+    if (spacing) refuseOtherSpacing(file, positions.spacing, *spacing);
     return toVectors(positions, positions.elements());
 }
 

@@ -1,5 +1,6 @@
 #include "CaseChanges.H"
 
+#include "core/angles/Degrees.H"
 #include "core/dictionary/Differences.H"
 #include "geometry/thetaModels/ThetaField.H"
 #include "stepping/StartCheck.H"
@@ -36,10 +37,10 @@ void refuseFixed(const Dictionary& former, const Dictionary& now)
 std::string rangeOf(const std::vector<scalar>& cosines)
 {
     const auto [low, high] = std::minmax_element(cosines.begin(), cosines.end());
-    const auto degrees = [](scalar cosine) { return std::round(1e4 * std::acos(cosine) * 180 / M_PI) / 1e4; };
+    const auto angle = [](scalar cosine) { return std::round(1e4 * degrees(std::acos(cosine))) / 1e4; };
     std::ostringstream text;
-    text << degrees(*high);
-    if (*low != *high) text << " to " << degrees(*low);
+    text << angle(*high);
+    if (*low != *high) text << " to " << angle(*low);
     return text.str();
 }
 

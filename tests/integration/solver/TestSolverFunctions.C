@@ -69,6 +69,16 @@ TEST_P(Functions, AllOfThemInOneRun)
     EXPECT_EQ(rows("size/0/volume.csv").size(), 4u);
 }
 
+// As OpenFOAM's cases have them: libraries are of no use here, and what is not enabled is neither read nor run.
+TEST_P(Functions, OneThatIsNotEnabledIsLeftOut)
+{
+    control("functions { on { type energy; libs (fieldFunctionObjects); enabled true; } off { type noSuchType; libs (a b); enabled false; } }");
+    const Outcome outcome = solve();
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_EQ(rows("on/0/energy.csv").size(), 4u);
+    EXPECT_FALSE(std::filesystem::exists(path()/"postProcessing/off"));
+}
+
 // A column that its pressure holds against gravity, for every pressure model: the mean over steps and over probes in its
 // middle is rho g times their depth in a column of the particles' volume. Particles crowd by 1 to 3 % in it, and their layers
 // show in single probes; the mean is off by less than 4 % in all of them: 10 % holds. Those with a speed of sound have their
