@@ -9,7 +9,6 @@ set(SHIZUKU_DEVICE_SOURCES
     particles/ParticleFiles.C
     particles/Liquid.C
     neighbours/CellGrid.C
-    neighbours/NeighbourList.C
     neighbours/Neighbourhood.C
     walls/HalfSpace.C
     walls/TangentPlanes.C

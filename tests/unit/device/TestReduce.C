@@ -1,3 +1,4 @@
+#include "device/ForEach.H"
 #include "device/Reduce.H"
 #include "support/PointSets.H"
 #include "support/Threads.H"
@@ -33,13 +34,18 @@ struct ReadScalar
     HOST_DEVICE ScalarSum operator()(int i) const { return {values[i]}; }
 };
 
-int widthOf([[maybe_unused]] int sums)
+struct WidthOfTeam
 {
-#ifdef __CUDACC__
-    return 1 << device::teamBits(sums);
-#else
-    return 1;
-#endif
+    Span<std::uint32_t> width;
+    HOST_DEVICE void operator()(int i, Team team) const { if (team.first()) width[i] = std::uint32_t(team.width); }
+};
+
+// Lanes of a team, where so many sums are formed.
+int widthOf(int sums)
+{
+    Buffer<std::uint32_t> width(sums);
+    forEachTeam(sums, WidthOfTeam{width.span()});
+    return int(width.download()[0]);
 }
 
 // The order that device/Reduce.H fixes, one addition after the other.

@@ -2,7 +2,7 @@
 
 #include "device/Algorithms.H"
 #include "device/Atomic.H"
-#include "neighbours/GroupSearch.H"
+#include "neighbours/lanes/Search.H"
 
 #include <algorithm>
 #include <cstring>
@@ -19,8 +19,6 @@ struct Search
     Span<const Vec3> points, sources;
     scalar support;
     bool sameSet;
-
-#ifdef __CUDACC__
 
     // visit(j, look(first, end)) for every neighbour j of point i: it is one of a range of candidates that were looked at together.
     template<class Look, class Visit>
@@ -60,26 +58,7 @@ struct Search
             }
         }, team);
     }
-
-#else
-
-    // visit(j, whether it is a neighbour) for several j after the others.
-    template<class Visit>
-    void forEachTurn(int i, Visit visit) const
-    {
-        const Vec3 p = points[i];
-        const scalar support2 = support * support;
-        const int self = sameSet ? i : -1;
-        grid.forEachTurn(AroundPoint{p, support}, [&](auto j, int end)
-        {
-            visit(j, j < end && squared(p - sources[j]) < support2 && j != self);
-        });
-    }
-
-#endif
 };
-
-#ifdef __CUDACC__
 
 // A thread a point where points fill a GPU, else a warp for a group of them.
 template<class F>
@@ -267,72 +246,6 @@ private:
     }
 };
 
-#else
-
-// As many entries as the longest list of a group has, in whole batches.
-struct LongestOfGroup
-{
-    Span<const std::uint32_t> count;
-    Span<std::uint32_t> length;
-
-    void operator()(int group) const
-    {
-        std::uint32_t longest = 0;
-        for (int k = 0; k < device::interleave; ++k)
-        {
-            const int i = group * device::interleave + k;
-            if (i < count.size && count[i] > longest) longest = count[i];
-        }
-        constexpr std::uint32_t batch = device::batch;
-        length[group] = (longest + batch - 1) / batch * batch;
-    }
-};
-
-constexpr int partSize = 64;                // particles
-
-// The lists of a part of the particles, one behind the other as they will be stored: to search once costs less than to copy.
-struct FindNeighbours
-{
-    Search search;
-    Span<std::uint32_t> count;
-    std::vector<std::uint32_t>* parts;
-
-    void operator()(int part) const
-    {
-        std::vector<std::uint32_t>& lists = parts[part];
-        std::size_t free = 0;
-        for (int i = part * partSize; i < std::min((part + 1) * partSize, count.size); ++i)
-        {
-            const std::size_t first = free;
-            search.forEachTurn(i, [&](Consecutive j, Ints isNear)
-            {
-                if (lists.size() < free + 2 * device::batch) lists.resize(2 * (free + device::batch));
-                free += j.append(isNear, &lists[free]);
-            });
-            count[i] = std::uint32_t(free - first);
-            for (; (free - first) % device::batch != 0; ++free) lists[free] = lists[free - 1];
-        }
-    }
-};
-
-struct CopyLists
-{
-    const std::vector<std::uint32_t>* parts;
-    Span<const std::uint32_t> start;
-    Span<NeighbourRow> rows;
-
-    void operator()(int part) const
-    {
-        const std::uint32_t first = start[part * partSize], end = start[std::min((part + 1) * partSize, start.size - 1)];
-        std::transform(parts[part].begin(), parts[part].begin() + (end - first), rows.data + first, [](std::uint32_t j)
-        {
-            return NeighbourRow{{j}};
-        });
-    }
-};
-
-#endif
-
 }
 
 void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
@@ -340,8 +253,6 @@ void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, 
     search(points, n, grid, sources, sameSet);
     lengthen(points, n, grid, sources, sameSet);
 }
-
-#ifdef __CUDACC__
 
 void NeighbourList::search(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
 {
@@ -399,25 +310,5 @@ void NeighbourList::lengthen(Span<const Vec3> points, int n, const CellGrid& gri
     search(points, n, grid, sources, sameSet);
     asked_ = false;
 }
-
-#else
-
-void NeighbourList::search(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
-{
-    const Search search{grid.view(), points, sources, support_, sameSet};
-    count_.resizeDiscarding(n);
-    parts_.resize((n + partSize - 1) / partSize);
-    forEach(int(parts_.size()), FindNeighbours{search, count_.span(), parts_.data()});
-    groupLength_.resizeDiscarding(groups());
-    forEach(groups(), LongestOfGroup{count_.span(), groupLength_.span()});
-    rows_.resizeDiscarding(int(exclusiveScan(groupLength_, start_, "rows of neighbours")));
-    forEach(int(parts_.size()), CopyLists{parts_.data(), start_.span(), rows_.span()});
-}
-
-bool NeighbourList::cutOff() { return false; }
-
-void NeighbourList::lengthen(Span<const Vec3>, int, const CellGrid&, Span<const Vec3>, bool) {}
-
-#endif
 
 }
