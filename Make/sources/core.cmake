@@ -40,6 +40,7 @@ set(SHIZUKU_CORE_SOURCES
     core/fieldFile/PostProcessing.C
     core/messages/Error.C
     core/messages/Progress.C
+    core/time/CaseLock.C
     core/time/Controls.C
     core/time/Schedule.C
     core/time/Time.C

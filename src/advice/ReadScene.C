@@ -50,7 +50,7 @@ void readDictionaries(Scene& scene, const fs::path& path, const Time& time)
         scene.availableGravity =
             Dictionary::read(path/"constant/g").lookupDimensionedVector("value", dimensions::acceleration);
     }
-    scene.maxCapillaryCo = time.controlDict().lookupOr("maxCapillaryCo", 0.3);
+    scene.maxCapillaryCo = time.controlDict().lookupOr("maxCapillaryCo", usualCapillaryCo);
     scene.smoothing = models.subDictOrEmpty("XSPHCoeffs").lookupOr("c", 0.05);
     scene.smoothingPerCapillaryStep = models.subDictOrEmpty("XSPHCoeffs").lookupOr("perCapillaryStep", 0.0);
     scene.support = solution.subDictOrEmpty("kernel").lookupOr("support", 2.0);

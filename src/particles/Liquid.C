@@ -1,5 +1,6 @@
 #include "particles/Liquid.H"
 
+#include "core/time/Time.H"
 #include "maths/Lattice.H"
 #include "particles/ParticleFiles.H"
 #include "reference/CapillaryStep.H"
@@ -81,7 +82,13 @@ void Liquid::read(const std::filesystem::path& timeFolder)
     const auto folder = timeFolder / name();
     const auto refuse = [&](const std::string& reason)
     {
-        throw FatalInputError({folder.string(), 0}, "There is no liquid: " + reason, "run fillLiquid first");
+        std::string expected = "run fillLiquid first";
+        for (const TimeFolder& other : timeFolders(timeFolder.parent_path()))
+        {
+            if (other.path == timeFolder || !std::filesystem::exists(other.path / name() / "positions")) continue;
+            expected = "a time as it was written; remove " + timeFolder.string() + " to go on from " + other.path.string();
+        }
+        throw FatalInputError({folder.string(), 0}, "There is no liquid: " + reason, expected);
     };
     if (!std::filesystem::exists(folder / "positions")) refuse("the file positions is missing");
     readParticles(*this, units_, folder);

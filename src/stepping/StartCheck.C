@@ -7,6 +7,7 @@
 #include "stepping/PressureIterations.H"
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace shizuku
@@ -57,6 +58,20 @@ struct CrowdingOf
         const scalar density = volume * sum, above = fmax(density - 1, 0);
         return {density, above * above, density, nearest2, density > crowdedDensity ? 1 : 0, i};
     }
+};
+
+struct Farthest
+{
+    scalar coordinate = 0;
+
+    HOST_DEVICE void add(const Farthest& other) { coordinate = fmax(coordinate, other.coordinate); }
+};
+
+struct FarthestOf
+{
+    Span<const Vec3> x;
+
+    HOST_DEVICE Farthest operator()(int i) const { return {fmax(fabs(x[i].x), fmax(fabs(x[i].y), fabs(x[i].z)))}; }
 };
 
 // Each particle by its own random way, up to `most` along each axis: bits of its number, mixed by Knuth's multiplier.
@@ -124,6 +139,28 @@ void refuseOverlap(const Liquid& liquid, const std::filesystem::path& folder, co
              << " m; or give there the one that the liquid was filled with (a lattice of "
              << spacing / std::cbrt(crowding.most) << " m is that dense); and fill no place twice.\n    `overlaps relax;` in system/solution moves the particles apart before the first step";
     throw FatalInputError({(folder / liquid.name() / "positions").string(), 0}, found.str(), expected.str());
+}
+
+double rounding(const Liquid& liquid)
+{
+    Buffer<Farthest> scratch;
+    const double farthest = reduce(liquid.owned(), FarthestOf{liquid.position.span()}, scratch).coordinate;
+    return 0.5 * std::numeric_limits<scalar>::epsilon() * farthest / liquid.spacing();
+}
+
+std::string roundingWarning(const Liquid& liquid, const std::filesystem::path& folder)
+{
+    constexpr double noticed = 2.5e-4, wrong = 2e-3;
+    const double share = rounding(liquid);
+    if (share <= noticed) return {};
+    const double spacings = 2 * share / std::numeric_limits<scalar>::epsilon();
+    std::ostringstream found, expected;
+    found << "The liquid reaches " << spacings * liquid.properties().spacing << " m from the origin, " << spacings
+          << " spacings: there numbers of single precision round positions to " << share << " spacings";
+    expected << "liquid within " << noticed / share * spacings * liquid.properties().spacing
+             << " m of the origin: move the case there; or -precision double";
+    if (share > wrong) throw FatalInputError({(folder / liquid.name() / "positions").string(), 0}, found.str(), expected.str());
+    return found.str() + ", and contact angles come out a degree or more too high.\n    Better: " + expected.str();
 }
 
 bool relaxesOverlap(const Dictionary& solution)

@@ -1,5 +1,7 @@
 #include "stepping/StepControl.H"
 
+#include "core/time/Controls.H"
+
 #include <cmath>
 #include <sstream>
 
@@ -10,7 +12,7 @@ StepControl::StepControl(const Dictionary& controlDict)
 :
     adjust_(controlDict.lookupOr("adjustTimeStep", true)),
     maxCo_(controlDict.lookupOr("maxCo", 0.5)),
-    maxCapillaryCo_(controlDict.lookupOr("maxCapillaryCo", 0.3)),
+    maxCapillaryCo_(controlDict.lookupOr("maxCapillaryCo", usualCapillaryCo)),
     maxSubSteps_(controlDict.lookupOr("maxSubSteps", 1000))
 {}
 

@@ -3,6 +3,9 @@
 #include "motion/Motion.H"
 #include "stepping/PressureIterations.H"
 
+#include <algorithm>
+#include <cmath>
+
 namespace shizuku
 {
 
@@ -58,14 +61,30 @@ void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, 
     models.particleShifting->apply(liquid, near, walls);
 }
 
+namespace
+{
+
+// The first step makes a velocity of what is left of the way to where the pressure wants the particles, the larger the shorter it is. A round leaves
+// two fifths of it, later ones more. One does for steps down to a seventh of the particles' own time, about a third of the capillary step.
+int settlingRounds(const Liquid& liquid, scalar dt)
+{
+    const double own = liquid.units().toScaled(liquid.properties().characteristicTime(), dimensions::time);
+    return 1 + std::max(0, int(1.5 * std::log2(own / (7 * dt))));
+}
+
+}
+
 void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, scalar dt)
 {
     if (!models.pressure->settles()) return;
-    predict(liquid, near, walls, models, 0, [&] { models.freeSurface->search(liquid, near, walls); });
-    walls.project(liquid);
-    iterate(liquid, near, walls, *models.pressure, dt, [] {});
-    liquid.position.swap(liquid.predicted);
-    models.pressure->forget();
+    for (int rounds = settlingRounds(liquid, dt); rounds > 0; --rounds)
+    {
+        predict(liquid, near, walls, models, 0, [&] { models.freeSurface->search(liquid, near, walls); });
+        walls.project(liquid);
+        iterate(liquid, near, walls, *models.pressure, dt, [] {});
+        liquid.position.swap(liquid.predicted);
+        models.pressure->forget();
+    }
 }
 
 }

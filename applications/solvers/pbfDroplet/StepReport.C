@@ -3,6 +3,7 @@
 #include "core/arguments/runApplication.H"
 #include "geometry/SeparateBodies.H"
 #include "geometry/thetaModels/ThetaField.H"
+#include "stepping/StartCheck.H"
 
 #include <cmath>
 #include <iostream>
@@ -38,6 +39,12 @@ void warnOfResolution(FlowView& flow)
     {
         warning(text, {(flow.time.casePath() / "system/solution").string(), 0});
     }
+}
+
+void warnOfRounding(const Time& time, const Liquid& liquid)
+{
+    const std::string text = roundingWarning(liquid, time.path());
+    if (!text.empty()) warning(text);
 }
 
 void warnOfOtherTheta(const Time& time, const Walls& walls)

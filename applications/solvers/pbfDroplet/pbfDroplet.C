@@ -8,6 +8,7 @@
 #include "StepReport.H"
 #include "core/arguments/runApplication.H"
 #include "core/fieldFile/BackgroundWriter.H"
+#include "core/time/CaseLock.H"
 #include "device/DeviceApplication.H"
 #include "functionObjects/FunctionObjects.H"
 #include "motion/SpeedMeter.H"
@@ -45,6 +46,7 @@ void pbfDroplet(const Arguments& args)
     liquidDict.refuseUnused();
 
     liquid.read(time.path());
+    warnOfRounding(time, liquid);
     const StartLimits limits = StartLimits::of(time.index(), *models.pressure);
     if (!relaxes) refuseOverlap(liquid, time.path(), limits);
     if (time.index() == 0) walls.refuseLiquidInside(liquid);
@@ -61,6 +63,7 @@ void pbfDroplet(const Arguments& args)
 
     if (args.found("dry-run")) return reportDryRun(time, control, liquid, walls, models, device, speeds.now);
 
+    const CaseLock alone(args.casePath());
     const auto subSteps = [&] { return control.divide(time.deltaT(), speeds.now, liquid, models); };
     const auto scaled = [&](const SubSteps& steps) { return liquid.units().toScaled(steps.dt, dimensions::time); };
     if (time.index() == 0) settle(liquid, near, walls, models, scaled(subSteps()));

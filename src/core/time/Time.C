@@ -103,7 +103,12 @@ Time::Time(const fs::path& casePath)
     warnOfPrecision(controls_, dict_);
 
     const TimeState fresh{folder.value, 0, controls_.deltaT, folder.value, 0};
-    state_ = readTimeState(folder.path).value_or(fresh);
+    const std::optional<TimeState> written = readTimeState(folder.path);
+    if (!written && folder.value != 0)
+    {
+        warning("The time has no uniform/time, which runs write: it is taken for a first start", {folder.path.string(), 0});
+    }
+    state_ = written.value_or(fresh);
     stopIndex_ = state_.index;
     use(controls_);
     start_ = state_;

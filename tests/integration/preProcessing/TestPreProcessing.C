@@ -127,6 +127,8 @@ TEST_F(PreProcessing, casesWithoutSampledWallsNeedNothing)
     folder_.write("constant/walls", "");
     expectSuccess("sampleTheta", {"nothing to do"});
     expectSuccess("fillLiquid", {"Wrote 0/liquid"});
+    folder_.write("0.02/liquid/U", "");
+    expectSuccess("fillLiquid", {"Wrote 0/liquid", "later times, up to 0.02 s", "Allclean"});
 }
 
 TEST_F(PreProcessing, otherSurfaceFormatsAreRead)

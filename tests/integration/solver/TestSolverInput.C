@@ -318,6 +318,28 @@ TEST_P(Input, noParticles)
     expectRefusal({"no liquid", "empty", "0/liquid", "run fillLiquid"});
 }
 
+TEST_P(Input, lastTimeThatIsNotWhole)
+{
+    write("0.002/liquid/U", "");
+    expectRefusal({"no liquid", "0.002/liquid", "remove", "to go on from", "/0\n"});
+    std::filesystem::remove_all(path()/"0.002");
+    std::filesystem::copy(path()/"0", path()/"0.003", std::filesystem::copy_options::recursive);
+    const Outcome outcome = solve("-dry-run");
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"0.003", "no uniform/time", "first start"}));
+}
+
+TEST_P(Input, liquidFarFromTheOrigin)
+{
+    const auto at = [&](const std::string& place)
+    {
+        write("0/liquid/positions", vectors("[0 1 0 0 0 0 0]", "nonuniform List<vector> 1((" + place + "))"));
+        write("0/liquid/U", vectors("[0 1 -1 0 0 0 0]", "uniform (0 0 0)"));
+    };
+    at("0 -50 0.01");                   // 50,000 spacings
+    expectRefusal({"50 m from the origin", "0/liquid/positions", "-precision double"});
+}
+
 TEST_P(Input, binaryFields)
 {
     for (const std::string name : {"positions", "U"})

@@ -1,3 +1,4 @@
+#include "core/time/CaseLock.H"
 #include "core/time/Time.H"
 #include "support/ScratchFolder.H"
 
@@ -256,6 +257,18 @@ TEST(Time, RemovesWhatAKilledRunLeft)
     EXPECT_EQ(folder.list(), (Names{".0.5.partial", ".hidden", "0", "system"}));      // another run may be writing it
     time.advance();
     EXPECT_EQ(folder.list(), (Names{".hidden", "0", "system"}));
+}
+
+TEST(CaseLock, LetsOneSolverIn)
+{
+    const Case folder(tenSteps);
+    {
+        const CaseLock held(folder.path());
+        EXPECT_TRUE(holds(messageOf<FatalError>([&] { CaseLock{folder.path()}; }), {"Another solver", folder.path().string()}));
+        EXPECT_NO_THROW(CaseLock{folder.path() / "system"});
+    }
+    EXPECT_NO_THROW(CaseLock{folder.path()});
+    EXPECT_EQ(folder.list(), (Names{"0", "system"}));       // it leaves nothing
 }
 
 TEST(Time, StartsWhereItIsTold)

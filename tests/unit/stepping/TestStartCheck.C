@@ -4,6 +4,7 @@
 #include "support/ReferenceKernels.H"
 
 #include <algorithm>
+#include <limits>
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -135,6 +136,37 @@ TEST(StartCheck, KnowsAFirstStart)
     EXPECT_EQ(messageOf([&] { refuseOverlap(drop.liquid, "case/0", pbf); }), "no error");
     EXPECT_GT(relaxOverlap(drop.liquid, drop.near, drop.walls, sound), 0);
     EXPECT_FALSE(measureCrowding(drop.liquid).overlaps(sound));
+}
+
+// Spacings from the origin; half a distance between numbers of 24 bits is 2^-24 of the number.
+TEST(StartCheck, KnowsHowFarNumbersReach)
+{
+    const auto textAt = [](scalar x)
+    {
+        LiquidCase drop;
+        drop.place({{0, 0, 0}, {0, -x, 1}});
+        EXPECT_NEAR(rounding(drop.liquid), x * std::numeric_limits<scalar>::epsilon() / 2, 1e-6 * x * std::numeric_limits<scalar>::epsilon());
+        return roundingWarning(drop.liquid, "somewhere");
+    };
+    EXPECT_EQ(textAt(4000), "");
+    if (sizeof(scalar) > 4)
+    {
+        EXPECT_EQ(textAt(1e6f), "");
+        return;
+    }
+    EXPECT_TRUE(textAt(5000).find("0.000298023 spacings") != std::string::npos);
+    EXPECT_NE(textAt(33000), "");
+    try
+    {
+        textAt(34000);
+        FAIL();
+    }
+    catch (const FatalInputError& error)
+    {
+        const std::string text = error.what();
+        EXPECT_TRUE(text.find("somewhere/liquid/positions") != std::string::npos) << text;
+        EXPECT_TRUE(text.find("-precision double") != std::string::npos) << text;
+    }
 }
 
 TEST(StartCheck, SaysWhatWasFoundAndWhatToDo)

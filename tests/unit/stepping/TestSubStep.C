@@ -119,7 +119,7 @@ TEST(SubStep, StartsSettledLiquidWithItsOwnVelocity)
     for (const scalar p : settled.models.pressure->keepPressure()->download()) EXPECT_EQ(p, 0);
     const auto start = settled.positions();
     settled.step(dt);
-    EXPECT_LT(settled.farthest(start), 0.1 * jump);
+    EXPECT_LT(settled.farthest(start), 0.01 * jump);        // 0.0036, after eleven rounds
 }
 
 TEST(SubStep, LeavesLiquidOfOtherModelsWhereItIs)

@@ -2,7 +2,7 @@
 
 #include "core/arguments/runApplication.H"
 #include "core/fieldFile/AtomicFile.H"
-#include "core/time/Controls.H"
+#include "core/time/Time.H"
 #include "geometry/LiquidFiles.H"
 #include "geometry/liquidBodies/LiquidChecks.H"
 
@@ -53,6 +53,13 @@ void run(const Arguments& args)
     std::size_t count = 0;
     for (const FilledBody& body : bodies) count += body.positions.size();
     std::cout << "Wrote 0/liquid: " << count << " particles\n";
+    const std::vector<TimeFolder> times = timeFolders(casePath);
+    if (times.back().value <= 0) return;
+    warning
+    (
+        "The case has later times, up to " + times.back().name + " s, of other liquid: with startFrom latestTime a run goes on from there. "
+        "Allclean removes them"
+    );
 }
 
 }
