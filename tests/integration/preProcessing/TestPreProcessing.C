@@ -219,6 +219,15 @@ TEST_F(PreProcessing, badWettabilityIsRefused)
     expectRefusal("sampleTheta", {"'flour'", "floor", "wettability", "2"}, "0/solid/theta");
     folder_.write("constant/wettability", "floor { theta 200; }");
     expectRefusal("sampleTheta", {"200", "0 to 180"}, "0/solid/theta");
+
+    // Angles go by the solids of the surface's file, which are not the walls.
+    PatchedSurface surface = rectangle(20, 20);
+    surface.patches = {"left", "right"};
+    surface.patch.back() = 1;
+    folder_.write("constant/triSurface/floor.stl", stlText(surface));
+    expectSuccess("sampleSurface", {});
+    folder_.write("constant/wettability", "floor { theta 60; }");
+    expectRefusal("sampleTheta", {"no patch or wall 'floor'", "wall 'floor' has the patches left, right"}, "0/solid/theta");
 }
 
 TEST_F(PreProcessing, badBodiesAreRefused)
