@@ -38,13 +38,14 @@ endfunction()
 # All test programs; none is part of the default target.
 add_custom_target(tests)
 
-# A GoogleTest program below tests/. Nothing happens where GoogleTest is absent.
+# A GoogleTest program below tests/. Nothing happens where GoogleTest is absent. Those of its tests that may skip themselves
+# (MAY_SKIP, a filter of GoogleTest's) are a test of CTest's own, <name>-maySkip, which is then skipped and not passed.
 #     shizuku_test(unit/core/TestDictionary SOURCES TestDictionary.C LINK shizukuCore)
 function(shizuku_test path)
     if(NOT GTest_FOUND)
         return()
     endif()
-    cmake_parse_arguments(ARG "" "" "SOURCES;LINK;LABELS" ${ARGN})
+    cmake_parse_arguments(ARG "" "MAY_SKIP" "SOURCES;LINK;LABELS" ${ARGN})
     get_filename_component(name ${path} NAME)
     get_filename_component(folder ${path} DIRECTORY)
     list(TRANSFORM ARG_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/tests/${folder}/)
@@ -55,7 +56,16 @@ function(shizuku_test path)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_compile_options(${name} PRIVATE ${SHIZUKU_HOST_FLAGS} -O1)        # short runs: quick to compile counts
     target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest_main)
-    add_test(NAME ${name} COMMAND ${name})
-    set_tests_properties(${name} PROPERTIES
+    set(tests ${name})
+    if(ARG_MAY_SKIP)
+        add_test(NAME ${name} COMMAND ${name} --gtest_filter=-${ARG_MAY_SKIP})
+        add_test(NAME ${name}-maySkip COMMAND ${name} --gtest_filter=${ARG_MAY_SKIP})
+        set_tests_properties(${name}-maySkip PROPERTIES
+            SKIP_REGULAR_EXPRESSION "SKIPPED" FAIL_REGULAR_EXPRESSION "Running 0 tests")
+        list(APPEND tests ${name}-maySkip)
+    else()
+        add_test(NAME ${name} COMMAND ${name})
+    endif()
+    set_tests_properties(${tests} PROPERTIES
         LABELS "${ARG_LABELS}" ENVIRONMENT "SHIZUKU_DIR=${PROJECT_SOURCE_DIR};SHIZUKU_BUILD=${CMAKE_BINARY_DIR}")
 endfunction()

@@ -176,7 +176,7 @@ WallCosines Walls::readCosines(double time) const
             if (wettability.found(patch)) wettability.subDict(patch).markUsed();
         }
         names.insert(names.end(), surfaceNames_.begin(), surfaceNames_.end());
-        refuseUnknownWalls(wettability, names);
+        refuseUnknownWalls(wettability, names, case_);
         for (const std::string& wall : surfaceNames_) cosines.surfaces.push_back(cosine(wallTheta(wettability, wall)));
         wettability.refuseUnused();
     }

@@ -1,8 +1,12 @@
 #include "geometry/thetaModels/ThetaField.H"
 
+#include "geometry/ObjFile.H"
+#include "geometry/SampledWall.H"
+#include "geometry/StlFile.H"
 #include "geometry/thetaModels/ThetaModel.H"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <regex>
 #include <sstream>
@@ -48,6 +52,24 @@ bool meansAnyOf(const std::string& keyword, const std::vector<std::string>& name
     );
 }
 
+// Where the patches' names come from: "; wall 'hills' has the patches top, side". Surfaces that name none have the wall's.
+std::string patchesOfWalls(const std::filesystem::path& casePath)
+{
+    if (!std::filesystem::exists(casePath/"constant/walls")) return "";
+    std::string text;
+    for (const SampledWall& wall : readSampledWalls(casePath))
+    {
+        std::string extension = wall.file.extension().string();
+        std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+        if (!std::filesystem::exists(wall.file) || (extension != ".stl" && extension != ".obj")) continue;
+        const std::vector<std::string> patches =
+            (extension == ".stl" ? readStl(wall.file, wall.name) : readObj(wall.file, wall.name)).patches;
+        text += "; wall '" + wall.name + "' has the " + (patches.size() > 1 ? "patches " : "patch ") + patches.front();
+        for (std::size_t i = 1; i < patches.size(); ++i) text += ", " + patches[i];
+    }
+    return text;
+}
+
 }
 
 double wallTheta(const Dictionary& wettability, const std::string& wall)
@@ -66,7 +88,10 @@ double wallTheta(const Dictionary& wettability, const std::string& wall)
     return readTheta(dict, "theta");
 }
 
-void refuseUnknownWalls(const Dictionary& wettability, const std::vector<std::string>& names)
+void refuseUnknownWalls
+(
+    const Dictionary& wettability, const std::vector<std::string>& names, const std::filesystem::path& casePath
+)
 {
     for (const std::string& keyword : wettability.dictKeys())
     {
@@ -75,7 +100,7 @@ void refuseUnknownWalls(const Dictionary& wettability, const std::vector<std::st
             throw FatalInputError
             (
                 wettability.where(keyword), "There is no patch or wall '" + keyword + "'",
-                "the patches of constant/solid and the analytic walls of constant/walls", names, keyword
+                "the patches of constant/solid and the analytic walls of constant/walls" + patchesOfWalls(casePath), names, keyword
             );
         }
     }
@@ -157,7 +182,7 @@ std::vector<double> thetaField
 {
     std::vector<std::string> names = solid.patches;
     for (const AnalyticSurface& wall : walls) names.push_back(wall.name);
-    refuseUnknownWalls(wettability, names);
+    refuseUnknownWalls(wettability, names, casePath);
     std::vector<std::unique_ptr<ThetaModel>> models;        // one a patch
     for (const std::string& patch : solid.patches) models.push_back(readModel(wettability, patch, casePath));
     for (const AnalyticSurface& wall : walls) wallTheta(wettability, wall.name);

@@ -221,6 +221,15 @@ TEST_F(PreProcessing, badWettabilityIsRefused)
     expectRefusal("sampleTheta", {"'flour'", "floor", "wettability", "2"}, "0/solid/theta");
     folder_.write("constant/wettability", "floor { theta 200; }");
     expectRefusal("sampleTheta", {"200", "0 to 180"}, "0/solid/theta");
+
+    // Angles go by the solids of the surface's file, which are not the walls.
+    PatchedSurface surface = rectangle(20, 20);
+    surface.patches = {"left", "right"};
+    surface.patch.back() = 1;
+    folder_.write("constant/triSurface/floor.stl", stlText(surface));
+    expectSuccess("sampleSurface", {});
+    folder_.write("constant/wettability", "floor { theta 60; }");
+    expectRefusal("sampleTheta", {"no patch or wall 'floor'", "wall 'floor' has the patches left, right"}, "0/solid/theta");
 }
 
 TEST_F(PreProcessing, badBodiesAreRefused)
@@ -310,10 +319,15 @@ TEST_F(PreProcessing, patternsReachTheParticles)
     expectSuccess("sampleTheta", {});
     const FieldData slope = theta();
     for (std::size_t i = 0; i < solid.positions.size(); ++i) ASSERT_NEAR(slope(i), 90 + 1e3*solid.positions[i].x, 1e-6);
+}
 
-    // The tutorial's image, a black cross of a fifth of its width on white; a build without VTK has no images.
+// The tutorial's image, a black cross of a fifth of its width on white; a build without VTK has no images.
+TEST_F(PreProcessing, anImageReachesTheParticles)
+{
     const std::filesystem::path build = environment("SHIZUKU_BUILD"), source = environment("SHIZUKU_DIR");
     if (!std::filesystem::exists(build/"bin/renderCase")) GTEST_SKIP() << "built without VTK";
+    expectSuccess("sampleSurface", {});
+    const SolidParticles solid = readSolidParticles(casePath());
     std::filesystem::copy(source/"tutorials/patternedSurface/constant/cross.png", casePath()/"constant/cross.png");
     folder_.write
     (
@@ -321,7 +335,7 @@ TEST_F(PreProcessing, patternsReachTheParticles)
         "floor { type image; file \"cross.png\"; theta (20 130); origin (0 0 0); width (0.02 0 0); height (0 0.02 0); }"
     );
     expectSuccess("sampleTheta", {"theta 20 to 130"});
-    const FieldData cross = theta();
+    const FieldData cross = readField(casePath()/"0/solid/theta", FieldType::scalar, dimensions::none);
     int black = 0;
     for (std::size_t i = 0; i < solid.positions.size(); ++i) black += cross(i) == 20;
     // Two arms of 0.2 x 0.9 of the image, less the middle that they share: 32 % of it, to the row at their edges.

@@ -57,7 +57,7 @@ TEST_P(Functions, AllOfThemInOneRun)
     EXPECT_EQ(rows("gauges/0/probes.csv").size(), 2u);
     EXPECT_TRUE(holds(read("postProcessing/spread/0/spreadDiameter.csv"), {"0.004,side,1,0,0,", "0.004,floor,0,0,1,"}));
     const double block = particles*spacing*spacing*spacing;
-    EXPECT_NEAR(rows("size/0/volume.csv").back()[1], block, 0.1*block);
+    EXPECT_NEAR(rows("size/0/volume.csv").back()[1], block, 0.012*block);   // twice the 0.6 % that its rounded edges take
     EXPECT_FALSE(std::isnan(rows("energies/0/energy.csv").back()[4]));
     EXPECT_EQ(rows("angle/0/contactAngle.csv").back()[3], 60);
 
@@ -81,8 +81,8 @@ TEST_P(Functions, OneThatIsNotEnabledIsLeftOut)
 
 // A column that its pressure holds against gravity, for every pressure model: the mean over steps and over probes in its
 // middle is rho g times their depth in a column of the particles' volume. Particles crowd by 1 to 3 % in it, and their layers
-// show in single probes; the mean is off by less than 4 % in all of them: 10 % holds. Those with a speed of sound have their
-// step limited by it.
+// show in single probes; the mean is off by 0.4 to 3.4 % in all of them: 5 % leaves half of that to devices and compilers. Those with
+// a speed of sound have their step limited by it.
 TEST_P(Functions, ProbesReadTheHydrostaticPressure)
 {
     write("constant/walls", "tank { type box; min (-3.5e-3 -3.5e-3 0); max (3.5e-3 3.5e-3 1); }");
@@ -115,7 +115,7 @@ TEST_P(Functions, ProbesReadTheHydrostaticPressure)
         }
         ASSERT_GT(count, 90) << word;
         const double expected = 998*9.81*3e-3;
-        EXPECT_NEAR(sum/count, expected, 0.1*expected) << word;
+        EXPECT_NEAR(sum/count, expected, 0.05*expected) << word;
     }
 }
 

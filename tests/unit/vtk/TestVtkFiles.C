@@ -119,7 +119,8 @@ TEST_P(VtpEncoding, NoParticlesAreWrittenToo)
     EXPECT_EQ(readVtp(folder.path()/"none.vtp")->GetNumberOfPoints(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Encodings, VtpEncoding, testing::Values("ascii", "binary", "appended"));
+INSTANTIATE_TEST_SUITE_P(Encodings, VtpEncoding, testing::Values("ascii", "binary", "appended"),
+    [](const auto& info) { return info.param; });
 
 TEST(AppendedVtp, HoldsTheParticles)
 {
