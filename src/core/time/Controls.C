@@ -1,7 +1,6 @@
 #include "core/time/Controls.H"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -42,13 +41,6 @@ std::optional<Schedule> readWrite(const Dictionary& dict, double deltaT)
     if (control != "none") return readSchedule(dict, "write", control, deltaT);
     if (dict.found("writeInterval")) dict.lookup<double>("writeInterval");      // may stay for the next run
     return {};
-}
-
-double readFiniteTime(const Dictionary& dict, const std::string& key)
-{
-    const double value = dict.lookupDimensioned(key, dimensions::time);
-    if (!std::isfinite(value)) throw FatalInputError(dict.where(key), key + " is not finite", "a time in seconds");
-    return value;
 }
 
 // Keywords of OpenFOAM that mean nothing here, and why.
@@ -104,10 +96,10 @@ Controls readControls(const Dictionary& dict)
     controls.startFrom = choose<StartFrom>(dict, "startFrom", {"firstTime", "startTime", "latestTime"}, "latestTime");
     if (controls.startFrom == StartFrom::startTime || dict.found("startTime"))
     {
-        controls.startTime = readFiniteTime(dict, "startTime");
+        controls.startTime = dict.lookupDimensioned("startTime", dimensions::time);
     }
     controls.stopAt = choose<StopAt>(dict, "stopAt", {"endTime", "writeNow", "noWriteNow", "nextWrite"}, "endTime");
-    controls.endTime = readFiniteTime(dict, "endTime");
+    controls.endTime = dict.lookupDimensioned("endTime", dimensions::time);
     controls.deltaT = dict.lookupPositive("deltaT", dimensions::time);
     controls.write = readWrite(dict, controls.deltaT);
     controls.purgeWrite = readInteger(dict, "purgeWrite", 0, 0, std::numeric_limits<int>::max());
