@@ -225,7 +225,8 @@ TEST(Error, FindsTheNearestWord)
     EXPECT_EQ(nearestWord("Theta", {"theta", "beta"}), "theta");
     EXPECT_EQ(nearestWord("teh", {"the", "ten"}), "the");           // a swap is one slip, as is a wrong letter
     EXPECT_EQ(nearestWord("gravity", {"theta", "surface"}), "");
-    EXPECT_EQ(nearestWord("foo", {"cos", "rho"}), "");              // two wrong letters of three are another word
+    EXPECT_EQ(nearestWord("foo", {"cos", "rho"}), "");              // two wrong letters of three are another word,
+    EXPECT_EQ(nearestWord("plain", {"plane", "sphere"}), "plane");  // of five are not
     EXPECT_EQ(nearestWord("x", {"y"}), "");
     EXPECT_EQ(nearestWord("", {"a"}), "");
 }
