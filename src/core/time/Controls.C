@@ -80,12 +80,8 @@ void checkStepControl(const Dictionary& dict)
 void leaveToOthers(const Dictionary& dict)
 {
     dict.lookupOr<std::string>("application", "");
-    for (const char* key : {"functions", "libs"})
-    {
-        if (!dict.found(key)) continue;
-        if (dict.isDict(key)) dict.subDict(key).markUsed();
-        else dict.lookup<std::vector<std::string>>(key);
-    }
+    dict.subDictOrEmpty("functions").markUsed();
+    if (dict.found("libs")) dict.lookup<std::vector<std::string>>("libs");
 }
 
 }
