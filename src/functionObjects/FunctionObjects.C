@@ -8,6 +8,23 @@
 namespace shizuku
 {
 
+namespace
+{
+
+// The name is that of a folder below postProcessing.
+void checkName(const Dictionary& functions, const std::string& name)
+{
+    const bool leadsElsewhere = name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos;
+    if (!leadsElsewhere) return;
+    throw FatalInputError
+    (
+        functions.where(name), "The function object is named '" + name + "', which names no folder below postProcessing",
+        "a name without '/', other than . and .."
+    );
+}
+
+}
+
 void FunctionSetting::requireSurface() const
 {
     readSurfaceParameters(casePath, 1);
@@ -19,6 +36,7 @@ FunctionObjects::FunctionObjects(const Time& time, double spacing, bool enabled)
     if (!enabled) return;
     for (const std::string& name : functions.dictKeys())
     {
+        checkName(functions, name);
         const Dictionary dict = functions.subDict(name);
         if (dict.found("libs")) dict.lookup<std::vector<std::string>>("libs");      // of OpenFOAM's: here all are there
         if (!dict.lookupOr("enabled", true))

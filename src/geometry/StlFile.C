@@ -28,6 +28,14 @@ void addFacet(PatchedSurface& surface, const std::array<Vector3, 3>& corners, in
     surface.patch.push_back(patch);
 }
 
+// Keywords come in any case.
+std::string lowerCase(std::string_view word)
+{
+    std::string lower(word);
+    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return lower;
+}
+
 // Splits text into words and counts lines.
 class Words
 {
@@ -71,21 +79,23 @@ public:
     PatchedSurface read()
     {
         PatchedSurface surface;
-        int patch = -1;
+        int patch = -1;                         // of the solid that is open
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next())
         {
-            if (word == "solid")
+            const std::string keyword = lowerCase(word);
+            if (keyword == "solid")
             {
                 const std::string name(words_.next(true));
                 patch = surface.patchIndex(name.empty() ? unnamed_ : name);
                 words_.skipLine();
             }
-            else if (word == "facet" && patch >= 0)
+            else if (keyword == "facet" && patch >= 0)
             {
                 addFacet(surface, facet(), patch);
             }
-            else if (word == "endsolid")
+            else if (keyword == "endsolid" && patch >= 0)
             {
+                patch = -1;
                 words_.skipLine();
             }
             else
@@ -93,6 +103,7 @@ public:
                 fail(word, patch < 0 ? "solid" : "facet, endsolid or solid");
             }
         }
+        if (patch >= 0) fail("", "facet or endsolid");
         return surface;
     }
 
@@ -134,7 +145,7 @@ private:
     void expect(std::string_view keyword)
     {
         const std::string_view word = words_.next();
-        if (word != keyword) fail(word, keyword);
+        if (lowerCase(word) != keyword) fail(word, keyword);
     }
 
     [[noreturn]] void fail(std::string_view word, std::string_view expected) const
@@ -193,7 +204,8 @@ PatchedSurface readStl(const std::filesystem::path& file, const std::string& unn
     {
         throw FatalInputError({file.string(), 0}, "Cannot read the surface file " + file.string());
     }
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);     // some editors mark UTF-8 text so
     if (bytes.empty()) throw FatalInputError({file.string(), 0}, "The surface file is empty", "an STL surface");
 
     PatchedSurface surface;
@@ -201,7 +213,7 @@ PatchedSurface readStl(const std::filesystem::path& file, const std::string& unn
     {
         surface = readBinary(file.string(), bytes, unnamed);
     }
-    else if (Words(bytes).next() == "solid")
+    else if (lowerCase(Words(bytes).next()) == "solid")
     {
         surface = AsciiStl(file, bytes, unnamed).read();
     }
@@ -209,7 +221,9 @@ PatchedSurface readStl(const std::filesystem::path& file, const std::string& unn
     {
         throw FatalInputError({file.string(), 1}, "The file is no STL", "text that begins with 'solid', or a binary STL");
     }
-    if (surface.mesh.faces.empty()) throw FatalInputError({file.string(), 0}, "The STL file has no facet");
+    if (surface.mesh.faces.empty()) {
+        throw FatalInputError({file.string(), 0}, "The STL file has no facet", "one facet at least");
+    }
     return surface;
 }
 

@@ -2,6 +2,9 @@
 
 #include "core/fieldFile/AtomicFile.H"
 
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+
 #include <limits>
 
 namespace shizuku
@@ -35,6 +38,26 @@ void writeSeries(const std::filesystem::path& file, const std::vector<TimeSeries
         }
         out << "\n  ]\n}\n";
     });
+}
+
+std::vector<TimeSeriesEntry> readPvd(const std::filesystem::path& file)
+{
+    if (!std::filesystem::is_regular_file(file)) return {};
+    std::vector<TimeSeriesEntry> entries;
+    try
+    {
+        boost::property_tree::ptree tree;
+        boost::property_tree::read_xml(file.string(), tree);
+        for (const auto& [element, set] : tree.get_child("VTKFile.Collection"))
+        {
+            entries.push_back({set.get<double>("<xmlattr>.timestep"), set.get<std::string>("<xmlattr>.file")});
+        }
+    }
+    catch (const boost::property_tree::ptree_error&)
+    {
+        return {};
+    }
+    return entries;
 }
 
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
@@ -238,9 +239,9 @@ double Arguments::getDouble(const std::string& option) const
     const std::string text = get(option);
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
     {
-        throw FatalInputError({}, "Option -" + option + " has the value '" + text + "'", "a number");
+        throw FatalInputError({}, "Option -" + option + " has the value '" + text + "'", "a finite number");
     }
     return value;
 }

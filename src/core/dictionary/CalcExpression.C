@@ -5,6 +5,7 @@
 #include <boost/spirit/home/x3.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -255,6 +256,21 @@ BOOST_SPIRIT_DEFINE(choice, either, both, equality, order, sum, product, sign, p
 
 }
 
+namespace
+{
+
+const char* const aValue = "a number, a name, a function or '('";
+
+// What may stand where the parser stopped. `awaited`: the parser's name for it, which is a C++ type for all that leads to a value.
+std::string expectedBehind(const std::string& before, const std::string& awaited)
+{
+    if (before.ends_with('$')) return "the name of an entry";
+    if (awaited == "eoi") return "an operator or the end";
+    return awaited.starts_with('\'') ? "an operator or " + awaited : aValue;
+}
+
+}
+
 struct CalcExpression::Parsed
 {
     Evaluation evaluation;      // the term refers to it
@@ -277,10 +293,15 @@ CalcExpression::CalcExpression
     }
     catch (const x3::expectation_failure<std::string::const_iterator>& failure)
     {
-        const std::string rest(failure.where(), text.end());
-        evaluation.fail(rest.empty() ? "The end comes too early" : "Unexpected '" + rest + "'", failure.which());
+        const auto isSpace = [](unsigned char c) { return std::isspace(c); };
+        const std::string rest(std::find_if_not(failure.where(), text.end(), isSpace), text.end());
+        evaluation.fail
+        (
+            rest.empty() ? "The end comes too early" : "Unexpected '" + rest + "'",
+            expectedBehind({text.begin(), failure.where()}, failure.which())
+        );
     }
-    if (!parsed->term) evaluation.fail("No value");
+    if (!parsed->term) evaluation.fail("No value", aValue);
     parsed_ = parsed;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <sstream>
 
 namespace shizuku
@@ -106,14 +105,14 @@ Dimensions Dictionary::lookupDimensions(const std::string& key) const
 double Dictionary::lookupPositive(const std::string& key, const Dimensions& expected, bool zeroAllowed) const
 {
     const double value = lookupDimensioned(key, expected);
-    if (!std::isfinite(value) || value < 0 || (value == 0 && !zeroAllowed))
+    if (value < 0 || (value == 0 && !zeroAllowed))
     {
         std::ostringstream text;
         text << value;
         throw FatalInputError
         (
             where(key), "Entry '" + key + "' is " + text.str(),
-            zeroAllowed ? "a finite number >= 0" : "a finite number > 0"
+            zeroAllowed ? "a number >= 0" : "a number > 0"
         );
     }
     return value;

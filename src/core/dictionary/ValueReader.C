@@ -1,6 +1,7 @@
 #include "core/dictionary/ValueReader.H"
 
 #include <charconv>
+#include <cmath>
 #include <map>
 
 namespace shizuku
@@ -28,7 +29,7 @@ bool isToken(const Tree& item)
 
 ValueReader::ValueReader(const Tree& entry, std::string expected)
 :
-    entry_(entry), expected_(std::move(expected)), position_(entry.begin()), last_(entry.data().where)
+    ValueReader(entry, std::move(expected), entry.data().text)
 {
     if (entry.data().kind == NodeKind::dictionary)
     {
@@ -36,10 +37,15 @@ ValueReader::ValueReader(const Tree& entry, std::string expected)
     }
 }
 
+ValueReader::ValueReader(const Tree& items, std::string expected, std::string keyword)
+:
+    entry_(items), expected_(std::move(expected)), keyword_(std::move(keyword)), position_(items.begin()),
+    last_(items.data().where)
+{}
+
 void ValueReader::fail(const std::string& found) const
 {
-    const std::string keyword = entry_.data().text;
-    throw FatalInputError(last_, keyword.empty() ? found : "Entry '" + keyword + "': " + found, expected_);
+    throw FatalInputError(last_, keyword_.empty() ? found : "Entry '" + keyword_ + "': " + found, expected_);
 }
 
 const Tree& ValueReader::next()
@@ -60,7 +66,7 @@ void ValueReader::finish() const
     throw FatalInputError
     (
         otherLine ? last_ : at,
-        "Entry '" + entry_.data().text + "': " + describe(excess) + " follows the value",
+        "Entry '" + keyword_ + "': " + describe(excess) + " follows the value",
         otherLine ? expected_ + "; a ';' may be missing at the end of the line" : expected_
     );
 }
@@ -74,7 +80,18 @@ Number ValueReader::readNumber()
     return number;
 }
 
-template<> double ValueReader::read<double>() { return readNumber<double>(); }
+template<>
+double ValueReader::read<double>()
+{
+    const double number = readNumber<double>();
+    if (!std::isfinite(number))
+    {
+        expected_ = "a finite number";
+        fail("found " + std::to_string(number));
+    }
+    return number;
+}
+
 template<> long ValueReader::read<long>() { return readNumber<long>(); }
 template<> int ValueReader::read<int>() { return readNumber<int>(); }
 
@@ -105,7 +122,7 @@ std::array<double, 3> ValueReader::read<std::array<double, 3>>()
 {
     const Tree& item = next();
     if (item.data().kind != NodeKind::list || item.size() != 3) fail("found " + describe(item));
-    ValueReader components(item, expected_);
+    ValueReader components(item, expected_, keyword_);
     const double x = components.read<double>(), y = components.read<double>(), z = components.read<double>();
     return {x, y, z};
 }
@@ -131,8 +148,7 @@ std::vector<T> ValueReader::readList()
     std::size_t count = item.size();
     if (!size.empty() && !toNumber(size, count)) fail("the size of a list is " + size);
 
-    ValueReader elements(item, expected_);
-    elements.last_ = data.where;
+    ValueReader elements(item, expected_, keyword_);
     if (data.kind == NodeKind::uniformList)
     {
         const T value = elements.read<T>();
@@ -169,7 +185,7 @@ std::optional<Dimensions> ValueReader::readDimensions()
     {
         throw FatalInputError
         (
-            set.data().where, "Entry '" + entry_.data().text + "': [" + set.data().text + "] is no dimension set",
+            set.data().where, "Entry '" + keyword_ + "': [" + set.data().text + "] is no dimension set",
             "7 exponents of kg m s K mol A cd, e.g. [0 2 -1 0 0 0 0], or units, e.g. [m^2/s]"
         );
     }

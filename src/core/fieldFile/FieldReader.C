@@ -4,7 +4,6 @@
 #include "core/fieldFile/FieldCursor.H"
 
 #include <algorithm>
-#include <cmath>
 
 namespace shizuku
 {
@@ -88,22 +87,10 @@ BinaryLayout readLayout(const Dictionary& header)
 std::vector<double> readUniform(const Dictionary& dict, FieldType type)
 {
     const std::string key = "internalField";
-    std::vector<double> values;
-    if (type == FieldType::label) values = {static_cast<double>(dict.lookup<long>(key))};
-    else if (type == FieldType::scalar) values = {dict.lookup<double>(key)};
-    else
-    {
-        const auto vector = dict.lookup<std::array<double, 3>>(key);
-        values.assign(vector.begin(), vector.end());
-    }
-    for (const double value : values)
-    {
-        if (!std::isfinite(value))
-        {
-            throw FatalInputError(dict.where(key), "The uniform value is NaN or infinite", "finite numbers");
-        }
-    }
-    return values;
+    if (type == FieldType::label) return {static_cast<double>(dict.lookup<long>(key))};
+    if (type == FieldType::scalar) return {dict.lookup<double>(key)};
+    const auto vector = dict.lookup<std::array<double, 3>>(key);
+    return {vector.begin(), vector.end()};
 }
 
 // "List<vector>" of a field of vectors.

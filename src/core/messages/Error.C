@@ -91,7 +91,8 @@ std::string nearestWord(const std::string& word, const std::vector<std::string>&
 {
     if (word.empty()) return "";
     std::string nearest;
-    std::size_t smallest = 1 + word.size()/3;   // one slip in three letters is still taken for a slip
+    // One slip in three letters, to the nearest whole number, is still taken for a slip.
+    std::size_t smallest = std::max<std::size_t>(1, (word.size() + 1)/3);
     for (const std::string& choice : choices)
     {
         const std::size_t distance = editDistance(lower(word), lower(choice));

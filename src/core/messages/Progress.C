@@ -18,6 +18,8 @@ double secondsBetween(Clock::time_point from, Clock::time_point to)
     return std::chrono::duration<double>(to - from).count();
 }
 
+constexpr double longestEstimate = 100 * 365.25 * 24 * 3600;      // s, a century: more tells nothing to anybody
+
 // "3 min 20 s" out of 200 seconds, a minute having 60 of them.
 std::string twoUnits(long count, long size, const std::string& large, const std::string& small)
 {
@@ -49,7 +51,7 @@ std::string Progress::text(double fraction) const
 {
     const std::string done = std::to_string(std::lround(100 * std::clamp(fraction, 0.0, 1.0))) + " %";
     const double left = secondsLeft(fraction);
-    return left < 0 ? done : done + ", about " + durationText(left) + " left";
+    return left < 0 || left > longestEstimate ? done : done + ", about " + durationText(left) + " left";
 }
 
 std::string durationText(double seconds)

@@ -1,7 +1,6 @@
 #include "core/time/Controls.H"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -44,13 +43,6 @@ std::optional<Schedule> readWrite(const Dictionary& dict, double deltaT)
     return {};
 }
 
-double readFiniteTime(const Dictionary& dict, const std::string& key)
-{
-    const double value = dict.lookupDimensioned(key, dimensions::time);
-    if (!std::isfinite(value)) throw FatalInputError(dict.where(key), key + " is not finite", "a time in seconds");
-    return value;
-}
-
 // Keywords of OpenFOAM that mean nothing here, and why.
 void refuseForeign(const Dictionary& dict)
 {
@@ -88,12 +80,8 @@ void checkStepControl(const Dictionary& dict)
 void leaveToOthers(const Dictionary& dict)
 {
     dict.lookupOr<std::string>("application", "");
-    for (const char* key : {"functions", "libs"})
-    {
-        if (!dict.found(key)) continue;
-        if (dict.isDict(key)) dict.subDict(key).markUsed();
-        else dict.lookup<std::vector<std::string>>(key);
-    }
+    dict.subDictOrEmpty("functions").markUsed();
+    if (dict.found("libs")) dict.lookup<std::vector<std::string>>("libs");
 }
 
 }
@@ -104,10 +92,10 @@ Controls readControls(const Dictionary& dict)
     controls.startFrom = choose<StartFrom>(dict, "startFrom", {"firstTime", "startTime", "latestTime"}, "latestTime");
     if (controls.startFrom == StartFrom::startTime || dict.found("startTime"))
     {
-        controls.startTime = readFiniteTime(dict, "startTime");
+        controls.startTime = dict.lookupDimensioned("startTime", dimensions::time);
     }
     controls.stopAt = choose<StopAt>(dict, "stopAt", {"endTime", "writeNow", "noWriteNow", "nextWrite"}, "endTime");
-    controls.endTime = readFiniteTime(dict, "endTime");
+    controls.endTime = dict.lookupDimensioned("endTime", dimensions::time);
     controls.deltaT = dict.lookupPositive("deltaT", dimensions::time);
     controls.write = readWrite(dict, controls.deltaT);
     controls.purgeWrite = readInteger(dict, "purgeWrite", 0, 0, std::numeric_limits<int>::max());

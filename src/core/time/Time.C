@@ -29,12 +29,20 @@ void requireWritable(const fs::path& casePath)
     throw FatalError("Cannot write to " + casePath.string() + ": " + std::strerror(errno));
 }
 
+// ".0.5.partial", or ".0.5.old.partial" of a file system that cannot exchange two folders.
+bool isPartialTime(const std::string& name)
+{
+    const std::string written = finalName(name), old = ".old";
+    const bool replaced = written.ends_with(old);
+    return isPartialName(name) && timeOfName(replaced ? written.substr(0, written.size() - old.size()) : written);
+}
+
 void removePartialFolders(const fs::path& casePath)
 {
     std::vector<fs::path> stale;
     for (const auto& entry : fs::directory_iterator(casePath))
     {
-        if (entry.is_directory() && isPartialName(entry.path().filename().string())) stale.push_back(entry.path());
+        if (entry.is_directory() && isPartialTime(entry.path().filename().string())) stale.push_back(entry.path());
     }
     for (const fs::path& folder : stale)
     {

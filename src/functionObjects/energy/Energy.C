@@ -39,7 +39,7 @@ public:
         const LiquidState& state = flow.state();
         const auto g = flow.models.bodyForce->uniform();
         const double mass = flow.liquid().owned() * flow.properties().particleMass();
-        const double potential = -mass * dot(Vector3(g), Vector3(state.centroid));
+        const double potential = 0 - mass * dot(Vector3(g), Vector3(state.centroid));       // 0, not -0, without gravity
         const double surface = flow.models.forces.active() ? flow.properties().surfaceTension * tensionArea(flow) : 0;
         table_.addRow
         ({

@@ -98,10 +98,15 @@ private:
     {
         const std::vector<std::string> known{"rho", "U", "p"};
         const auto fields = dict.lookup<std::vector<std::string>>("fields");
+        const auto refuse = [&](const std::string& found, const std::string& field)
+        {
+            throw FatalInputError(dict.where("fields"), found, "some of the fields below, each once", known, field);
+        };
+        if (fields.empty()) refuse("There is no field", "");
         for (const std::string& field : fields)
         {
-            if (std::find(known.begin(), known.end(), field) != known.end()) continue;
-            throw FatalInputError(dict.where("fields"), "There is no field '" + field + "'", "some of", known, field);
+            if (std::find(known.begin(), known.end(), field) == known.end()) refuse("There is no field '" + field + "'", field);
+            if (std::count(fields.begin(), fields.end(), field) > 1) refuse("The field '" + field + "' is named twice", "");
         }
         return fields;
     }

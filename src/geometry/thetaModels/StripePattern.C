@@ -20,7 +20,6 @@ StripePattern::StripePattern(const Dictionary& dict)
             "the share of a period that the stripe takes, 0 to 1"
         );
     }
-    if (!std::isfinite(phase_)) throw FatalInputError(dict.where("phase"), "The phase is not finite", "periods");
 }
 
 }

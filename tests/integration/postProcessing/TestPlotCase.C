@@ -55,8 +55,11 @@ TEST_F(DropCase, PlotCaseDrawsFunctionObjects)
         "time [s],probe,x [m],y [m],z [m],fill,Ux [m/s],p [Pa]\n0,0,0,0,1e-3,1,0.1,10\n0,1,0,0,2e-3,0,nan,nan\n"
         "0.1,0,0,0,1e-3,1,0.2,20\n0.1,1,0,0,2e-3,0,nan,nan\n"
     );
+    write("postProcessing/t/0/stepTime.csv", "time [s],wall [ms]\n0.1,3\n0.2,4\n");
     const Outcome outcome = plot("-case " + path().string());
     ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"Left out of ", "probes.csv, for want of numbers: probe 1 (0 0 2) mm\n"}));
+    EXPECT_FALSE(holds(outcome.text, {"warning"})) << outcome.text;
     const auto drawn = [&](const std::string& table, const std::vector<std::string>& texts)
     {
         const std::string file = "postProcessing/" + table;
@@ -67,6 +70,33 @@ TEST_F(DropCase, PlotCaseDrawsFunctionObjects)
     drawn("v/0/volume", {"volumes [mm3]", "spray", "particleVolume", "crowded", "drift [%]"});
     drawn("s/0/spreadDiameter", {"wettedArea [mm2]", "wettedDiameter [mm]", "height [mm]", "tank (0 0 1)", "tank (1 0 0)"});
     drawn("p/0/probes", {"Ux [m/s]", "p [Pa]", "probe 0 (0 0 1) mm", "probe 1 (0 0 2) mm", "fill"});
+    drawn("t/0/stepTime", {"wall [ms]"});
+}
+
+TEST_F(DropCase, PlotCaseDrawsTheOthersWhereATableHasNothingOrIsWrong)
+{
+    const std::string angles = "time [s],angle [deg],prescribed [deg],volumeDrift [%],drop\n";
+    write("postProcessing/a/0/angle.csv", angles + "0,nan,nan,nan,1\n0.1,nan,nan,nan,1\n");
+    write("postProcessing/b/0/angle.csv", angles + "0,nan,60,1,1\n0.1,nan,60,1,1\n");         // a film
+    write("postProcessing/c/0/volume.csv", "time [s],volume [m3]\n0,nan\n0.1,nan\n");
+    write("postProcessing/d/0/volume.csv", "time [s],volume [m3]\n0,1e-9\n0.1,1.1e-9\n");
+    Outcome outcome = plot("-case " + path().string());
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"Left out: ", "a/0/angle.csv has no", "c/0/volume.csv has no column of numbers"}));
+    EXPECT_FALSE(holds(outcome.text, {"warning"})) << outcome.text;
+    EXPECT_TRUE(holds(read("postProcessing/b/0/angle.svg"), {"prescribed"}));
+    EXPECT_TRUE(fs::exists(path()/"postProcessing/d/0/volume.png"));
+
+    fs::remove(path()/"postProcessing/d/0/volume.png");
+    write("postProcessing/c/0/volume.csv", "volume [m3]\n1\n");
+    outcome = plot("-case " + path().string());
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(holds(outcome.text, {"c/0/volume.csv has neither"}));
+    EXPECT_TRUE(fs::exists(path()/"postProcessing/d/0/volume.png"));
+
+    outcome = plot((path()/"postProcessing/a/0/angle.csv").string());
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(holds(outcome.text, {"No table has anything to be drawn"}));
 }
 
 TEST_F(DropCase, PlotCaseDrawsASweep)

@@ -1,6 +1,8 @@
 #include "DropCase.H"
 
+#include "core/dictionary/CalcExpression.H"
 #include "support/VtkReading.H"
+#include "vtk/TimeSeries.H"
 
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -123,6 +125,47 @@ TEST_F(DropCase, VtkReadsEveryFileWithItsTime)
             EXPECT_EQ(times, (std::vector<double>{0, 0.01, 0.025}));
         }
     }
+}
+
+// Times that are not selected stay in the animations; what is no time of the case any more goes.
+TEST_F(DropCase, ShizukuToVtkKeepsWhatIsStillValid)
+{
+    for (const char* time : {"0", "0.1", "0.2", "0.3"}) writeTime(time, {drop(90)});
+    ASSERT_EQ(call("shizukuToVTK").status, 0);
+    const auto animation = [&](const std::string& name)
+    {
+        std::string text;
+        for (const TimeSeriesEntry& entry : readPvd(path()/("VTK/" + name + ".pvd")))
+        {
+            EXPECT_TRUE(fs::exists(path()/"VTK"/entry.file)) << entry.file;
+            text += fs::path(entry.file).stem().string() + "@" + numberText(entry.time) + " ";
+        }
+        return text;
+    };
+    const std::string liquid = "liquid_0@0 liquid_1@0.1 liquid_2@0.2 liquid_3@0.3 ";
+    EXPECT_EQ(animation("liquid"), liquid);
+    ASSERT_EQ(call("shizukuToVTK", "-time 0.1").status, 0);
+    EXPECT_EQ(animation("liquid"), liquid);
+    EXPECT_EQ(animation("solid"), "solid_0@0 solid_1@0.1 solid_0@0.2 solid_0@0.3 ");
+
+    // Of the last time nothing is left, nor is there a file of it.
+    write("VTK/surface/surface_30.vtp", "somebody's own");
+    fs::remove_all(path()/"0.3");
+    ASSERT_EQ(call("shizukuToVTK", "-time 0.2").status, 0);
+    EXPECT_EQ(animation("surface"), "surface_0@0 surface_1@0.1 surface_2@0.2 ");
+    EXPECT_FALSE(fs::exists(path()/"VTK/surface/surface_3.vtp"));
+    EXPECT_TRUE(fs::exists(path()/"VTK/surface/surface_30.vtp"));
+
+    // The file that 0.1 had is that of 0.2 now, which is the second time of the case.
+    fs::remove_all(path()/"0.1");
+    ASSERT_EQ(call("shizukuToVTK", "-time 0.2").status, 0);
+    EXPECT_EQ(animation("surface"), "surface_0@0 surface_1@0.2 ");
+    EXPECT_FALSE(fs::exists(path()/"VTK/surface/surface_2.vtp"));
+    fs::remove_all(path()/"0.2/surface");
+    fs::remove_all(path()/"0/surface");
+    ASSERT_EQ(call("shizukuToVTK").status, 0);
+    EXPECT_FALSE(fs::exists(path()/"VTK/surface.pvd"));
+    EXPECT_FALSE(fs::exists(path()/"VTK/surface/surface_0.vtp"));
 }
 
 TEST_F(DropCase, ShizukuToVtkTakesFieldsTimesAndFormats)

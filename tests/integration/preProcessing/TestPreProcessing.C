@@ -206,6 +206,8 @@ TEST_F(PreProcessing, badSamplingEntriesAreRefused)
     expectRefusal("sampleSurface", {"belle", "bell", "poissonDisk"}, "constant/solid");
     folder_.write("system/sampleSurfaceDict", "methood bell;");
     expectRefusal("sampleSurface", {"methood", "method"}, "constant/solid");
+    folder_.write("system/sampleSurfaceDict", "offset -1.5;");
+    expectRefusal("sampleSurface", {"The offset is -1.5 spacings", "-1 to 1"}, "constant/solid");
     std::filesystem::remove(casePath()/"system/sampleSurfaceDict");
     folder_.write("system/solution", "spacing 0;");
     expectRefusal("sampleSurface", {"spacing"}, "constant/solid");

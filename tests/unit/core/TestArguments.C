@@ -100,8 +100,11 @@ TEST(Arguments, RefusesBadValues)
     EXPECT_TRUE(holds(errorOf({"-latestTime=3"}), {"-latestTime takes no value"}));
     EXPECT_TRUE(holds(errorOf({"-device", "cud"}), {"-device has the value 'cud'", "Did you mean 'cuda'?", "cpu"}));
     EXPECT_TRUE(holds(errorOf({"-scale", "1", "-scale", "2"}), {"-scale is given twice"}));
-    const Arguments args = parse({"-scale", "1.5x"});
-    EXPECT_TRUE(holds(messageOf([&] { args.getDouble("scale"); }), {"'1.5x'", "a number"}));
+    for (const char* number : {"1.5x", "nan", "-inf", "1e999"})
+    {
+        const Arguments args = parse({"-scale", number});
+        EXPECT_TRUE(holds(messageOf([&] { args.getDouble("scale"); }), {"'" + std::string(number) + "'", "a finite number"}));
+    }
 }
 
 TEST(Arguments, ChecksTheCase)

@@ -34,6 +34,7 @@ TEST(Progress, ExtrapolatesTheTimeLeft)
     EXPECT_LT(progress.secondsLeft(0.2), 80);
     EXPECT_EQ(progress.secondsLeft(1), 0);
     EXPECT_EQ(progress.text(0), "0 %");
+    EXPECT_EQ(progress.text(1e-30), "0 %");         // an endTime that nobody lives to see
 }
 
 TEST(Progress, RoundsDurationsForPeople)

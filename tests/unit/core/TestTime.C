@@ -251,12 +251,15 @@ TEST(Time, RemovesWhatAKilledRunLeft)
 {
     const Case folder(tenSteps);
     folder.write(".0.5.partial/liquid/positions", "half");
+    folder.write(".1e-05.old.partial/liquid/positions", "replaced");
     folder.write(".hidden/kept", "");
+    folder.write(".backup.partial/kept", "");       // somebody's own
     Time time(folder.path());
     EXPECT_EQ(time.value(), 0);
-    EXPECT_EQ(folder.list(), (Names{".0.5.partial", ".hidden", "0", "system"}));      // another run may be writing it
+    const Names before{".0.5.partial", ".1e-05.old.partial", ".backup.partial", ".hidden", "0", "system"};
+    EXPECT_EQ(folder.list(), before);               // another run may be writing it
     time.advance();
-    EXPECT_EQ(folder.list(), (Names{".hidden", "0", "system"}));
+    EXPECT_EQ(folder.list(), (Names{".backup.partial", ".hidden", "0", "system"}));
 }
 
 TEST(CaseLock, LetsOneSolverIn)
@@ -349,6 +352,7 @@ TEST(Time, RefusesBadControls)
     EXPECT_TRUE(holds(error("endTime 1;\nwriteInterval 1;"), {"deltaT"}));
     EXPECT_TRUE(holds(error("deltaT 1;\nwriteInterval 1;"), {"endTime"}));
     EXPECT_TRUE(holds(error("deltaT 1;\nendTime inf;\nwriteInterval 1;"), {"endTime", "line 2"}));
+    EXPECT_TRUE(holds(error("deltaT 1; endTime 1; writeInterval 1;\nfunctions 5;"), {"'functions' is no dictionary", "line 2"}));
     EXPECT_TRUE(holds(error("deltaT 0.1;\nendTime -1;\nwriteInterval 1;"), {"endTime is before the start", "line 2"}));
     EXPECT_TRUE(holds(error("deltaT 0.1;\nendTime [0 1 0 0 0 0 0] 1;\nwriteInterval 1;"), {"endTime", "line 2"}));
     EXPECT_TRUE(holds(error("deltaT 0.1;\nendTime 1;\nwriteInterval 0;"), {"writeInterval is 0", "line 3"}));

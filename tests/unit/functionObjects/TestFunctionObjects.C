@@ -25,6 +25,15 @@ TEST(FunctionObjects, AValueAmongThemIsRefused)
     EXPECT_TRUE(holds(messageOf(make), {"'drop'", "functions", "controlDict at line 2"}));
 }
 
+TEST(FunctionObjects, ANameThatLeadsOutOfPostProcessingIsRefused)
+{
+    for (const std::string name : {"../x", "../../../outside", "a/b", "\"..\"", "\".\"", "/tmp/x"})
+    {
+        const std::string message = messageOf([&] { FlowCase flow(name + " { type liquidState; }"); });
+        EXPECT_TRUE(holds(message, {"The function object is named", "postProcessing", "a name without '/'", "line 2"})) << name;
+    }
+}
+
 TEST(FunctionObjects, AValueForAMacroIsNot)
 {
     FlowCase flow("often 1; drop { type liquidState; executeInterval $often; }");

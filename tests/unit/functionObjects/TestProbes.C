@@ -58,7 +58,9 @@ TEST(Probes, RefuseBadEntries)
     EXPECT_TRUE(holds(refusal("fields (U); "), {"'probeLocations' is missing"}));
     EXPECT_TRUE(holds(refusal("probeLocations ((0 0 0));"), {"'fields' is missing"}));
     EXPECT_TRUE(holds(refusal("fields (U); probeLocations ();"), {"no probe"}));
-    EXPECT_TRUE(holds(refusal("fields (U); probeLocations (0 0 0);"), {"found the number 0", "a list of vectors"}));
-    EXPECT_TRUE(holds(refusal("fields (U T); probeLocations ((0 0 0));"), {"no field 'T'", "rho", "U"}));
+    EXPECT_TRUE(holds(refusal("fields (U); probeLocations (0 0 0);"), {"'probeLocations': found the number 0", "a list of vectors"}));
+    EXPECT_TRUE(holds(refusal("fields (U T); probeLocations ((0 0 0));"), {"no field 'T'", "some of the fields below", "rho", "U"}));
+    EXPECT_TRUE(holds(refusal("fields (); probeLocations ((0 0 0));"), {"There is no field\n", "rho", "U"}));
+    EXPECT_TRUE(holds(refusal("fields (U rho U); probeLocations ((0 0 0));"), {"'U' is named twice", "each once"}));
     EXPECT_TRUE(holds(refusal("fields (p); probeLocations ((0 0 0));"), {"no pressure p", "pbf", "constant/models"}));
 }

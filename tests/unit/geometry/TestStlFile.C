@@ -54,6 +54,16 @@ TEST(StlFile, solidsBecomePatches)
     EXPECT_EQ(surface.patch, (std::vector<int>{0, 0, 1, 1, 2, 2, 0, 0}));
 }
 
+TEST(StlFile, keywordsInUpperCaseAndAByteOrderMarkAreRead)
+{
+    const ScratchFolder folder;
+    std::string text = stlText(cube(2), "Box");
+    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    const auto surface = readStl(folder.write("a.stl", "\xEF\xBB\xBF" + text), "wall");
+    EXPECT_EQ(surface.patches, std::vector<std::string>{"BOX"});
+    EXPECT_DOUBLE_EQ(surface.mesh.volume(), 8);
+}
+
 TEST(StlFile, badFilesAreRefused)
 {
     const ScratchFolder folder;
@@ -64,10 +74,16 @@ TEST(StlFile, badFilesAreRefused)
     };
     EXPECT_TRUE(holds(message("empty.stl", ""), {"empty.stl", "empty"}));
     EXPECT_TRUE(holds(message("text.stl", "Dear reader,\n"), {"no STL", "text.stl"}));
-    EXPECT_TRUE(holds(message("none.stl", "solid a\nendsolid a\n"), {"no facet"}));
+    EXPECT_TRUE(holds(message("none.stl", "solid a\nendsolid a\n"), {"no facet", "Expected: one facet"}));
     EXPECT_TRUE(holds(message("word.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 zero 0\n"), {"'zero'", "4", "a number"}));
     EXPECT_TRUE(holds(message("nan.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 nan 0\n"), {"nan", "finite"}));
     EXPECT_TRUE(holds(message("cut.stl", stlText(cube(1), "a").substr(0, 300)), {"cut.stl"}));
+    const std::string whole = stlText(cube(1), "a");
+    const std::size_t lastFacet = whole.rfind("facet normal");
+    for (const std::size_t size : {lastFacet, whole.find("endsolid")})         // cut off between two facets
+    {
+        EXPECT_TRUE(holds(message("short.stl", whole.substr(0, size)), {"ends too early", "facet or endsolid"})) << size;
+    }
     const std::string binary = binaryStl(cube(1), "binary");
     // 84 + 12*50 bytes announced.
     EXPECT_TRUE(holds(message("short.stl", binary.substr(0, 500)), {"500 bytes", "684 bytes", "12 facets"}));

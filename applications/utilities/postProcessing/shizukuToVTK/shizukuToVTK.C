@@ -6,7 +6,7 @@
 //     VTK/<name>.pvd, <name>.vtp.series   the animations
 //
 // Coordinates are in metres; every file has the field data TimeValue [s] and particleSpacing [m]. <index> counts the case's
-// times, whichever are selected.
+// times, whichever are selected. The animations keep what was converted before of times that are not selected now.
 
 #include "LiquidFields.H"
 
@@ -67,12 +67,12 @@ private:
     std::filesystem::path instance_;    // of the theta written last
 };
 
-// The place of a time among all of the case: the same number whatever times are selected.
-int indexOf(const TimeFolder& time, const std::vector<TimeFolder>& all)
+// The place of a time among others: of all of the case, the same number whatever times are selected. Their number where it
+// is none of them.
+int indexOf(const TimeFolder& time, const std::vector<TimeFolder>& among)
 {
     const auto same = [&](const TimeFolder& other) { return other.name == time.name; };
-    const auto at = std::find_if(all.begin(), all.end(), same);
-    return int(at - all.begin());
+    return int(std::find_if(among.begin(), among.end(), same) - among.begin());
 }
 
 void convert(const Arguments& args)
@@ -118,9 +118,14 @@ void convert(const Arguments& args)
             "<time>/liquid, <time>/surface or constant/solid"
         );
     }
+    std::vector<double> others;
+    for (const TimeFolder& time : all)
+    {
+        if (indexOf(time, times) == int(times.size())) others.push_back(time.value);
+    }
     for (const VtkSeries* series : {&liquid, &surface, &solid})
     {
-        series->finish();
+        series->finish(others);
         if (series->times() > 0) std::cout << "Written: " << series->pvdFile().string() << '\n';
     }
 }

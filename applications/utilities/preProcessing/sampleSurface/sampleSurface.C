@@ -2,6 +2,7 @@
 
 #include "WallSurface.H"
 #include "core/arguments/runApplication.H"
+#include "core/dictionary/CalcExpression.H"
 #include "core/time/Controls.H"
 #include "geometry/SampledWall.H"
 #include "geometry/sampling/SeedMethod.H"
@@ -50,7 +51,8 @@ SamplingParameters readParameters(const std::filesystem::path& casePath)
         {
             throw FatalInputError
             (
-                dict.where("offset"), "The offset is more than one spacing", "spacings along the normal, -0.5 as a rule"
+                dict.where("offset"), "The offset is " + numberText(parameters.offset) + " spacings",
+                "spacings along the normal, -1 to 1, -0.5 as a rule"
             );
         }
         dict.refuseUnused();

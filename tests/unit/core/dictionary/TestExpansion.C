@@ -393,6 +393,24 @@ TEST(Calc, RefusesNonsense)
     }
     EXPECT_TRUE(holds(refusalOf([] { value("1/(2 - 2)"); }).message, {"Division by zero", "1/(2 - 2)"}));
     EXPECT_TRUE(holds(refusalOf([] { value("sqr2(2)"); }).message, {"Did you mean 'sqr'?"}));
+    EXPECT_FALSE(holds(refusalOf([] { value("foo"); }).message, {"Did you mean"}));
+
+    const auto expected = [](const char* text)
+    {
+        const std::string message = refusalOf([&] { value(text); }).message, head = "Expected: ";
+        const std::size_t at = message.find(head);
+        return at == std::string::npos ? message : message.substr(at + head.size(), message.find('\n', at) - at - head.size());
+    };
+    for (const char* text : {"", "60 +", "60+1/", "1 ? 2 :", "-", "(", "2^"})
+    {
+        EXPECT_EQ(expected(text), "a number, a name, a function or '('") << text;
+    }
+    EXPECT_TRUE(holds(refusalOf([] { value(" 60 + "); }).message, {"The end comes too early"}));
+    EXPECT_EQ(expected("60 60"), "an operator or the end");
+    EXPECT_EQ(expected("(60 60"), "an operator or ')'");
+    EXPECT_EQ(expected("1 ? 2"), "an operator or ':'");
+    EXPECT_EQ(expected("1 + $"), "the name of an entry");
+    EXPECT_EQ(expected("${"), "the name of an entry");
 }
 
 TEST(Calc, WritesNumbersThatReadBack)

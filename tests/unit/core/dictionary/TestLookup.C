@@ -89,6 +89,32 @@ TEST(Lookup, RefusesWrongTypes)
     EXPECT_EQ(lineOf([&] { dict.subDict("word"); }), 1);
 }
 
+TEST(Lookup, RefusesNumbersThatAreNotFinite)
+{
+    const Dictionary dict = Dictionary::parse
+    (
+        "a nan;\nb -inf;\npoint (0 0 nan);\nlist (1 inf);\nplaces ((0 0 0) (0 nan 0));\ng [0 1 -2 0 0 0 0] (0 0 nan);\n"
+        "flat (0 0 0);\nsome 2((0 0 0) (0 a 0));",
+        "someDict"
+    );
+    const auto expectRefusal = [](int line, const std::string& found, const std::string& expected, const auto& call)
+    {
+        const Refusal refusal = refusalOf(call);
+        EXPECT_EQ(refusal.line, line);
+        EXPECT_TRUE(holds(refusal.message, {found, "Expected: " + expected}));
+    };
+    const std::string finite = "a finite number\n";
+    expectRefusal(1, "'a': found nan", finite, [&] { dict.lookup<double>("a"); });
+    expectRefusal(2, "'b': found -inf", finite, [&] { dict.lookupPositive("b", dimensions::length); });
+    expectRefusal(3, "'point': found nan", finite, [&] { dict.lookup<Vector>("point"); });
+    expectRefusal(4, "'list': found inf", finite, [&] { dict.lookup<std::vector<double>>("list"); });
+    expectRefusal(5, "'places': found nan", finite, [&] { dict.lookup<std::vector<Vector>>("places"); });
+    expectRefusal(6, "'g': found nan", finite, [&] { dict.lookupDimensionedVector("g", dimensions::acceleration); });
+    // Whatever is wrong deep in a list, the entry is named.
+    expectRefusal(7, "'flat': found the number 0", "a list of vectors", [&] { dict.lookup<std::vector<Vector>>("flat"); });
+    expectRefusal(8, "'some': found the word 'a'", "a list of vectors", [&] { dict.lookup<std::vector<Vector>>("some"); });
+}
+
 TEST(Lookup, SuspectsAMissingSemicolon)
 {
     const Dictionary dict = Dictionary::parse("a 1;\nrho 998\nnu 1e-6;\n", "someDict");
@@ -199,6 +225,8 @@ TEST(Error, FindsTheNearestWord)
     EXPECT_EQ(nearestWord("Theta", {"theta", "beta"}), "theta");
     EXPECT_EQ(nearestWord("teh", {"the", "ten"}), "the");           // a swap is one slip, as is a wrong letter
     EXPECT_EQ(nearestWord("gravity", {"theta", "surface"}), "");
+    EXPECT_EQ(nearestWord("foo", {"cos", "rho"}), "");              // two wrong letters of three are another word,
+    EXPECT_EQ(nearestWord("plain", {"plane", "sphere"}), "plane");  // of five are not
     EXPECT_EQ(nearestWord("x", {"y"}), "");
     EXPECT_EQ(nearestWord("", {"a"}), "");
 }
