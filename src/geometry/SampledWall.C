@@ -1,7 +1,34 @@
 #include "geometry/SampledWall.H"
 
+#include "core/fieldFile/MappedFile.H"
+
+#include <boost/crc.hpp>
+
+#include <algorithm>
+#include <iomanip>
+
 namespace shizuku
 {
+
+namespace
+{
+
+// Empty where the wall is what it was.
+std::string changeOf(const SampledWall& wall, const Dictionary& made)
+{
+    const std::string name = "the wall '" + wall.name + "'", surface = wall.file.filename().string();
+    if (!made.found(wall.name)) return name + " was not sampled";
+    const Dictionary was = made.subDict(wall.name);
+    const auto formerly = was.lookup<std::string>("surface");
+    if (formerly != surface) return name + " was made of " + formerly + ", not of " + surface;
+    if (was.lookup<double>("scale") != wall.scale) return "the scale of " + name + " has changed";
+    if (was.lookup<double>("closeHoles") != wall.closeHoles.value_or(0)) return "closeHoles of " + name + " has changed";
+    if (!std::filesystem::exists(wall.file)) return "";
+    const bool same = was.lookup<std::string>("sum") == std::to_string(SurfaceMark::of(wall).sum);
+    return same ? "" : surface + " of " + name + " has changed";
+}
+
+}
 
 std::vector<SampledWall> readSampledWalls(const std::filesystem::path& casePath)
 {
@@ -44,6 +71,44 @@ void refuseMissingSurface(const SampledWall& wall)
         wall.surface, "The surface '" + name + "' of the wall '" + wall.name + "' is not in " + folder.string(),
         "a file of " + folder.string() + (names.empty() ? ", which holds none" : ""), names, name
     );
+}
+
+SurfaceMark SurfaceMark::of(const SampledWall& wall)
+{
+    const MappedFile file(wall.file);
+    boost::crc_32_type sum;
+    sum.process_bytes(file.text().data(), file.text().size());
+    return {wall.name, wall.file.filename().string(), wall.scale, wall.closeHoles.value_or(0), sum.checksum()};
+}
+
+void writeMarks(std::ostream& stream, const std::vector<SurfaceMark>& marks)
+{
+    stream << std::setprecision(17);
+    for (const SurfaceMark& mark : marks)
+    {
+        stream << '\n' << mark.wall << "\n{\n    surface     \"" << mark.surface << "\";\n    scale       " << mark.scale
+               << ";\n    closeHoles  " << mark.closeHoles << ";\n    sum         \"" << mark.sum << "\";\n}\n";
+    }
+}
+
+std::string otherSurfaces(const std::filesystem::path& casePath)
+{
+    const auto file = casePath/"constant/solid/surfaces";
+    if (!std::filesystem::exists(file)) return "";
+    const Dictionary made = Dictionary::read(file);
+    const std::vector<SampledWall> walls = readSampledWalls(casePath);
+    std::string change;
+    for (const SampledWall& wall : walls)
+    {
+        if (change.empty()) change = changeOf(wall, made);
+    }
+    for (const std::string& name : made.dictKeys())
+    {
+        const bool there = std::any_of(walls.begin(), walls.end(), [&](const SampledWall& wall) { return wall.name == name; });
+        if (change.empty() && !there) change = "the wall '" + name + "' is not sampled any more";
+    }
+    if (change.empty()) return "";
+    return "constant/solid is not of the walls as they are: " + change + "\n    Run sampleSurface and sampleTheta again, and fillLiquid";
 }
 
 }

@@ -17,10 +17,16 @@ std::filesystem::path folderOf(const std::filesystem::path& casePath)
     return casePath/"constant"/"solid";
 }
 
-void writePatches(std::ostream& stream, const std::vector<std::string>& patches)
+void writeHeader(std::ostream& stream, const std::string& object)
 {
     stream << "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       dictionary;\n"
-           << "    location    \"constant/solid\";\n    object      patches;\n}\n\npatches\n(\n";
+           << "    location    \"constant/solid\";\n    object      " << object << ";\n}\n";
+}
+
+void writePatches(std::ostream& stream, const std::vector<std::string>& patches)
+{
+    writeHeader(stream, "patches");
+    stream << "\npatches\n(\n";
     for (const std::string& patch : patches) stream << "    " << patch << '\n';
     stream << ");\n";
 }
@@ -39,6 +45,7 @@ void SolidParticles::append(const SolidParticles& other)
     positions.insert(positions.end(), other.positions.begin(), other.positions.end());
     normals.insert(normals.end(), other.normals.begin(), other.normals.end());
     for (int p : other.patch) patch.push_back(label[p]);
+    marks.insert(marks.end(), other.marks.begin(), other.marks.end());
 }
 
 void writeSolidParticles
@@ -54,6 +61,12 @@ void writeSolidParticles
         writeField(folder/"normals", toField("normals", dimensions::none, particles.normals), format);
         writeField(folder/"patch", patch, format);
         writeAtomically(folder/"patches", [&](std::ostream& stream) { writePatches(stream, particles.patches); });
+        if (particles.marks.empty()) return;
+        writeAtomically(folder/"surfaces", [&](std::ostream& stream)
+        {
+            writeHeader(stream, "surfaces");
+            writeMarks(stream, particles.marks);
+        });
     });
 }
 

@@ -221,7 +221,8 @@ PatchedSurface readStl(const std::filesystem::path& file, const std::string& unn
     {
         throw FatalInputError({file.string(), 1}, "The file is no STL", "text that begins with 'solid', or a binary STL");
     }
-    if (surface.mesh.faces.empty()) {
+    if (surface.mesh.faces.empty())
+    {
         throw FatalInputError({file.string(), 0}, "The STL file has no facet", "one facet at least");
     }
     return surface;

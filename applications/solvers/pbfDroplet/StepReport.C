@@ -1,6 +1,7 @@
 #include "StepReport.H"
 
 #include "core/arguments/runApplication.H"
+#include "geometry/SampledWall.H"
 #include "geometry/SeparateBodies.H"
 #include "geometry/thetaModels/ThetaField.H"
 #include "stepping/StartCheck.H"
@@ -47,10 +48,12 @@ void warnOfRounding(const Time& time, const Liquid& liquid)
     if (!text.empty()) warning(text);
 }
 
-void warnOfOtherTheta(const Time& time, const Walls& walls)
+void warnOfOtherSolid(const Time& time, const Walls& walls)
 {
+    if (walls.particles() == 0) return;
+    if (const std::string text = otherSurfaces(time.casePath()); !text.empty()) warning(text);
     const auto file = time.casePath() / "constant/wettability";
-    if (walls.particles() == 0 || !walls.cosines() || !std::filesystem::exists(file)) return;
+    if (!walls.cosines() || !std::filesystem::exists(file)) return;
     const std::string text = otherTheta(time.casePath(), findInstance(time.casePath(), time.value(), "solid/theta"));
     if (!text.empty()) warning(text);
 }

@@ -54,7 +54,7 @@ void pbfDroplet(const Arguments& args)
     if (relaxes) reportRelaxation(relaxOverlap(liquid, near, walls, limits));
     FlowView flow(time, liquid, near, walls, models);
     if (time.index() == 0) warnOfResolution(flow);
-    warnOfOtherTheta(time, walls);
+    warnOfOtherSolid(time, walls);
     functions.modelsMade(flow);
     SpeedMeter meter;
     Speeds speeds = meter.measure(liquid);

@@ -117,6 +117,38 @@ TEST_F(PreProcessing, binaryFormatGivesTheSame)
     EXPECT_TRUE(holds(folder_.read("constant/solid/positions"), {"format      binary"}));
 }
 
+TEST_F(PreProcessing, surfacesThatChangedSinceTheyWereSampledAreTold)
+{
+    const auto toldBy = [&](const std::string& application)
+    {
+        const Outcome outcome = call(application);
+        EXPECT_EQ(outcome.status, 0) << outcome.text;
+        const std::string begin = "constant/solid is not of the walls as they are: ";
+        const auto at = outcome.text.find(begin);
+        return at == std::string::npos ? "" : outcome.text.substr(at + begin.size(), outcome.text.find('\n', at) - at - begin.size());
+    };
+    const auto walls = [&](const std::string& name, const std::string& entries)
+    {
+        folder_.write("constant/walls", name + " { type particles; " + entries + " }");
+    };
+    expectSuccess("sampleSurface", {"Wrote constant/solid"});
+    EXPECT_EQ(toldBy("sampleTheta"), "");
+    folder_.write("constant/triSurface/floor.stl", stlText(rectangle(20, 19), "floor"));
+    EXPECT_EQ(toldBy("sampleTheta"), "floor.stl of the wall 'floor' has changed");
+    std::filesystem::remove(casePath()/"constant/triSurface/floor.stl");
+    EXPECT_EQ(toldBy("sampleTheta"), "");
+    walls("floor", "surface \"floor.stl\"; scale 0.002;");
+    EXPECT_EQ(toldBy("sampleTheta"), "the scale of the wall 'floor' has changed");
+    walls("floor", "surface \"floor.stl\"; scale 0.001; closeHoles 1e-3;");
+    EXPECT_EQ(toldBy("sampleTheta"), "closeHoles of the wall 'floor' has changed");
+    walls("floor", "surface \"other.stl\"; scale 0.001;");
+    EXPECT_EQ(toldBy("sampleTheta"), "the wall 'floor' was made of floor.stl, not of other.stl");
+    walls("ground", "surface \"floor.stl\"; scale 0.001;");
+    EXPECT_EQ(toldBy("sampleTheta"), "the wall 'ground' was not sampled");
+    std::filesystem::remove(casePath()/"constant/solid/surfaces");         // as of solids that others made
+    EXPECT_EQ(toldBy("sampleTheta"), "");
+}
+
 TEST_F(PreProcessing, casesWithoutSampledWallsNeedNothing)
 {
     folder_.write("constant/walls", "lid { type plane; point (0 0 1); normal (0 0 -1); }");

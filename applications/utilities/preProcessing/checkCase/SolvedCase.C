@@ -88,6 +88,13 @@ void SolvedCase::readSurfaces(Findings& findings)
     {
         for (const SampledWall& wall : sampled) findings.attempt([&] { refuseMissingSurface(wall); });
     }
+    if (particles)
+    {
+        findings.attempt([&]
+        {
+            if (const std::string text = otherSurfaces(path); !text.empty()) findings.warn(text);
+        });
+    }
     if (!std::filesystem::exists(path / "constant/wettability")) return;        // a model that needs angles has said so
     if (!sampled.empty() && !particles) return;                                 // and patches are not known yet
     const auto folder = time ? findInstance(path, time->value(), "solid/theta") : std::filesystem::path();

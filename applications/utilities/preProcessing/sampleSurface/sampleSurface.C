@@ -114,6 +114,7 @@ void run(const Arguments& args)
         report(wall.name, sampled.quality, parameters.spacing);
         refuseSharedPatches(solid, sampled.particles, wall);
         solid.append(sampled.particles);
+        solid.marks.push_back(SurfaceMark::of(wall));
     }
     writeSolidParticles(args.casePath(), solid, format);
     std::cout << "Wrote constant/solid: " << solid.positions.size() << " particles\n";

@@ -64,6 +64,7 @@ void run(const Arguments& args)
         std::cout << "No wall is sampled with particles: the contact angles are in order, there is nothing to write\n";
         return;
     }
+    if (const std::string text = otherSurfaces(casePath); !text.empty()) warning(text);
     report(solid, theta);
     writeTheta(casePath/"0", theta, format);
     std::cout << "Wrote 0/solid/theta\n";
