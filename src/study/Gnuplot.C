@@ -12,6 +12,19 @@ namespace shizuku
 
 namespace fs = std::filesystem;
 
+namespace
+{
+
+// A text in the shell's single quotes, which end where the text has one.
+std::string quotedForShell(const std::string& text)
+{
+    std::string result = "'";
+    for (const char c : text) c == '\'' ? result += "'\\''" : result += c;
+    return result + "'";
+}
+
+}
+
 std::string quotedForGnuplot(const std::string& text)
 {
     std::string result = "\"";
@@ -43,7 +56,7 @@ void drawChart(const fs::path& chart, const std::string& commands, int width, in
         return;
     }
     const std::string call =
-        "cd '" + script.parent_path().string() + "' && gnuplot '" + script.filename().string() + "' 2>&1";
+        "cd " + quotedForShell(script.parent_path().string()) + " && gnuplot " + quotedForShell(script.filename().string()) + " 2>&1";
     FILE* const output = popen(call.c_str(), "r");
     std::string said;
     char line[512];

@@ -1,9 +1,12 @@
 // Studies: the grid, the cases that are made of it, and what is refused.
 
+#include "study/Gnuplot.H"
 #include "study/StudyCase.H"
 #include "support/ScratchFolder.H"
 
 #include <gtest/gtest.h>
+
+#include <cstdlib>
 
 namespace shizuku::test
 {
@@ -144,6 +147,16 @@ TEST_F(StudyOf, RefusesWhatIsWrongWithFileAndLine)
     EXPECT_TRUE(holds(refusal("folders { m \"sets/@set@\"; }\n}\naxes { set (absent); }\n"), {"There is no folder", "sets/absent", "line 5"}));
     folder_.write("base/system/more", "\nx @nothing@;\n");
     EXPECT_TRUE(holds(refusal("}\naxes { particles (1); }\n"), {"The word @nothing@ has no value", "base/system/more at line 2"}));
+}
+
+TEST(Gnuplot, DrawsInFoldersOfAnyName)
+{
+    const ScratchFolder folder;
+    folder.write("it's 'here'/empty", "");
+    drawChart(folder.path()/"it's 'here'"/"chart", "plot sin(x)");
+    EXPECT_TRUE(std::filesystem::exists(folder.path()/"it's 'here'"/"chart.gnuplot"));
+    const bool draws = std::system("command -v gnuplot >/dev/null") == 0;
+    EXPECT_EQ(std::filesystem::exists(folder.path()/"it's 'here'"/"chart.png"), draws);
 }
 
 }
