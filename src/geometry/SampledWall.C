@@ -28,6 +28,21 @@ std::string changeOf(const SampledWall& wall, const Dictionary& made)
     return same ? "" : surface + " of " + name + " has changed";
 }
 
+// The first there is.
+std::string changeOf(const std::vector<SampledWall>& walls, const Dictionary& made)
+{
+    for (const SampledWall& wall : walls)
+    {
+        if (const std::string change = changeOf(wall, made); !change.empty()) return change;
+    }
+    for (const std::string& name : made.dictKeys())
+    {
+        const bool there = std::any_of(walls.begin(), walls.end(), [&](const SampledWall& wall) { return wall.name == name; });
+        if (!there) return "the wall '" + name + "' is not sampled any more";
+    }
+    return "";
+}
+
 }
 
 std::vector<SampledWall> readSampledWalls(const std::filesystem::path& casePath)
@@ -86,7 +101,7 @@ void writeMarks(std::ostream& stream, const std::vector<SurfaceMark>& marks)
     stream << std::setprecision(17);
     for (const SurfaceMark& mark : marks)
     {
-        stream << '\n' << mark.wall << "\n{\n    surface     \"" << mark.surface << "\";\n    scale       " << mark.scale
+        stream << mark.wall << "\n{\n    surface     \"" << mark.surface << "\";\n    scale       " << mark.scale
                << ";\n    closeHoles  " << mark.closeHoles << ";\n    sum         \"" << mark.sum << "\";\n}\n";
     }
 }
@@ -95,18 +110,7 @@ std::string otherSurfaces(const std::filesystem::path& casePath)
 {
     const auto file = casePath/"constant/solid/surfaces";
     if (!std::filesystem::exists(file)) return "";
-    const Dictionary made = Dictionary::read(file);
-    const std::vector<SampledWall> walls = readSampledWalls(casePath);
-    std::string change;
-    for (const SampledWall& wall : walls)
-    {
-        if (change.empty()) change = changeOf(wall, made);
-    }
-    for (const std::string& name : made.dictKeys())
-    {
-        const bool there = std::any_of(walls.begin(), walls.end(), [&](const SampledWall& wall) { return wall.name == name; });
-        if (change.empty() && !there) change = "the wall '" + name + "' is not sampled any more";
-    }
+    const std::string change = changeOf(readSampledWalls(casePath), Dictionary::read(file));
     if (change.empty()) return "";
     return "constant/solid is not of the walls as they are: " + change + "\n    Run sampleSurface and sampleTheta again, and fillLiquid";
 }

@@ -2,6 +2,7 @@
 
 #include "core/dictionary/Dictionary.H"
 #include "core/fieldFile/AtomicFile.H"
+#include "core/fieldFile/FoamFileHeader.H"
 #include "geometry/VectorField.H"
 
 #include <algorithm>
@@ -17,16 +18,9 @@ std::filesystem::path folderOf(const std::filesystem::path& casePath)
     return casePath/"constant"/"solid";
 }
 
-void writeHeader(std::ostream& stream, const std::string& object)
-{
-    stream << "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       dictionary;\n"
-           << "    location    \"constant/solid\";\n    object      " << object << ";\n}\n";
-}
-
 void writePatches(std::ostream& stream, const std::vector<std::string>& patches)
 {
-    writeHeader(stream, "patches");
-    stream << "\npatches\n(\n";
+    stream << "patches\n(\n";
     for (const std::string& patch : patches) stream << "    " << patch << '\n';
     stream << ");\n";
 }
@@ -60,13 +54,17 @@ void writeSolidParticles
         writeField(folder/"positions", toField("positions", dimensions::length, particles.positions), format);
         writeField(folder/"normals", toField("normals", dimensions::none, particles.normals), format);
         writeField(folder/"patch", patch, format);
-        writeAtomically(folder/"patches", [&](std::ostream& stream) { writePatches(stream, particles.patches); });
-        if (particles.marks.empty()) return;
-        writeAtomically(folder/"surfaces", [&](std::ostream& stream)
+        const auto writeDictionary = [&](const std::string& name, const auto& writeEntries)
         {
-            writeHeader(stream, "surfaces");
-            writeMarks(stream, particles.marks);
-        });
+            writeAtomically(folder/name, [&](std::ostream& stream)
+            {
+                writeFoamFileHeader(stream, folder/name, "dictionary");
+                writeEntries(stream);
+            });
+        };
+        writeDictionary("patches", [&](std::ostream& stream) { writePatches(stream, particles.patches); });
+        if (particles.marks.empty()) return;
+        writeDictionary("surfaces", [&](std::ostream& stream) { writeMarks(stream, particles.marks); });
     });
 }
 

@@ -2,6 +2,8 @@
 
 #include "core/messages/Error.H"
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -13,6 +15,8 @@
 
 namespace shizuku
 {
+
+using boost::algorithm::iequals;
 
 namespace
 {
@@ -26,14 +30,6 @@ void addFacet(PatchedSurface& surface, const std::array<Vector3, 3>& corners, in
     surface.mesh.vertices.insert(surface.mesh.vertices.end(), corners.begin(), corners.end());
     surface.mesh.faces.push_back({first, first + 1, first + 2});
     surface.patch.push_back(patch);
-}
-
-// Keywords come in any case.
-std::string lowerCase(std::string_view word)
-{
-    std::string lower(word);
-    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return lower;
 }
 
 // Splits text into words and counts lines.
@@ -82,18 +78,17 @@ public:
         int patch = -1;                         // of the solid that is open
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next())
         {
-            const std::string keyword = lowerCase(word);
-            if (keyword == "solid")
+            if (iequals(word, "solid"))          // keywords come in any case
             {
                 const std::string name(words_.next(true));
                 patch = surface.patchIndex(name.empty() ? unnamed_ : name);
                 words_.skipLine();
             }
-            else if (keyword == "facet" && patch >= 0)
+            else if (iequals(word, "facet") && patch >= 0)
             {
                 addFacet(surface, facet(), patch);
             }
-            else if (keyword == "endsolid" && patch >= 0)
+            else if (iequals(word, "endsolid") && patch >= 0)
             {
                 patch = -1;
                 words_.skipLine();
@@ -145,7 +140,7 @@ private:
     void expect(std::string_view keyword)
     {
         const std::string_view word = words_.next();
-        if (lowerCase(word) != keyword) fail(word, keyword);
+        if (!iequals(word, keyword)) fail(word, keyword);
     }
 
     [[noreturn]] void fail(std::string_view word, std::string_view expected) const
@@ -213,7 +208,7 @@ PatchedSurface readStl(const std::filesystem::path& file, const std::string& unn
     {
         surface = readBinary(file.string(), bytes, unnamed);
     }
-    else if (lowerCase(Words(bytes).next()) == "solid")
+    else if (iequals(Words(bytes).next(), "solid"))
     {
         surface = AsciiStl(file, bytes, unnamed).read();
     }

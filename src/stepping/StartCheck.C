@@ -153,14 +153,13 @@ std::string roundingWarning(const Liquid& liquid, const std::filesystem::path& f
     constexpr double noticed = 2.5e-4, wrong = 2e-3;
     const double share = rounding(liquid);
     if (share <= noticed) return {};
-    const double spacings = 2 * share / std::numeric_limits<scalar>::epsilon();
+    const double spacings = 2 * share / std::numeric_limits<scalar>::epsilon(), farthest = spacings * liquid.properties().spacing;
     std::ostringstream found, expected;
-    found << "The liquid reaches " << spacings * liquid.properties().spacing << " m from the origin, " << spacings
+    found << "The liquid reaches " << farthest << " m from the origin, " << spacings
           << " spacings: there numbers of single precision round positions to " << share << " spacings";
-    expected << "liquid within " << noticed / share * spacings * liquid.properties().spacing
-             << " m of the origin: move the case there; or -precision double";
+    expected << "liquid within " << noticed / share * farthest << " m of the origin: move the case there; or -precision double";
     if (share > wrong) throw FatalInputError({(folder / liquid.name() / "positions").string(), 0}, found.str(), expected.str());
-    return found.str() + ", and contact angles come out a degree or more too high.\n    Better: " + expected.str();
+    return found.str() + ", and contact angles come out too high.\n    Better: " + expected.str();
 }
 
 bool relaxesOverlap(const Dictionary& solution)

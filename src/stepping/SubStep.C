@@ -36,6 +36,14 @@ void predict(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& mo
     }
 }
 
+// The first step makes a velocity of what is left of the way to where the pressure wants the particles, the larger the shorter it is. A round leaves
+// two fifths of it, later ones more. One does for steps down to a seventh of the particles' own time, about a third of the capillary step.
+int settlingRounds(const Liquid& liquid, scalar dt)
+{
+    const double own = liquid.units().toScaled(liquid.properties().characteristicTime(), dimensions::time);
+    return 1 + std::max(0, int(1.5 * std::log2(own / (7 * dt))));
+}
+
 }
 
 void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, scalar dt)
@@ -59,19 +67,6 @@ void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, 
     );
     models.viscosity->apply(liquid, near, walls, dt);
     models.particleShifting->apply(liquid, near, walls);
-}
-
-namespace
-{
-
-// The first step makes a velocity of what is left of the way to where the pressure wants the particles, the larger the shorter it is. A round leaves
-// two fifths of it, later ones more. One does for steps down to a seventh of the particles' own time, about a third of the capillary step.
-int settlingRounds(const Liquid& liquid, scalar dt)
-{
-    const double own = liquid.units().toScaled(liquid.properties().characteristicTime(), dimensions::time);
-    return 1 + std::max(0, int(1.5 * std::log2(own / (7 * dt))));
-}
-
 }
 
 void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, scalar dt)

@@ -19,7 +19,11 @@ namespace
 std::string quotedForShell(const std::string& text)
 {
     std::string result = "'";
-    for (const char c : text) c == '\'' ? result += "'\\''" : result += c;
+    for (const char c : text)
+    {
+        if (c == '\'') result += "'\\'";
+        result += c;
+    }
     return result + "'";
 }
 

@@ -8,8 +8,7 @@
 #include <CGAL/IO/PLY.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/case_conv.hpp>
 
 namespace shizuku
 {
@@ -62,8 +61,7 @@ PatchedSurface readPolygons(const std::filesystem::path& file, const std::string
 
 PatchedSurface readSurface(const std::filesystem::path& file, const std::string& unnamed)
 {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string extension = boost::algorithm::to_lower_copy(file.extension().string());
     if (extension == ".stl") return readStl(file, unnamed);
     if (extension == ".obj") return readObj(file, unnamed);
     if (extension != ".ply" && extension != ".off")

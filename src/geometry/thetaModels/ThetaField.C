@@ -5,8 +5,9 @@
 #include "geometry/StlFile.H"
 #include "geometry/thetaModels/ThetaModel.H"
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <regex>
 #include <sstream>
@@ -59,8 +60,7 @@ std::string patchesOfWalls(const std::filesystem::path& casePath)
     std::string text;
     for (const SampledWall& wall : readSampledWalls(casePath))
     {
-        std::string extension = wall.file.extension().string();
-        std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+        const std::string extension = boost::algorithm::to_lower_copy(wall.file.extension().string());
         if (!std::filesystem::exists(wall.file) || (extension != ".stl" && extension != ".obj")) continue;
         const std::vector<std::string> patches =
             (extension == ".stl" ? readStl(wall.file, wall.name) : readObj(wall.file, wall.name)).patches;

@@ -84,16 +84,16 @@ void SolvedCase::readSurfaces(Findings& findings)
     std::vector<SampledWall> sampled;
     if (!findings.attempt([&] { sampled = readSampledWalls(path); })) return;
     const bool particles = haveSolidParticles(path);
-    if (!particles)
-    {
-        for (const SampledWall& wall : sampled) findings.attempt([&] { refuseMissingSurface(wall); });
-    }
     if (particles)
     {
         findings.attempt([&]
         {
             if (const std::string text = otherSurfaces(path); !text.empty()) findings.warn(text);
         });
+    }
+    else
+    {
+        for (const SampledWall& wall : sampled) findings.attempt([&] { refuseMissingSurface(wall); });
     }
     if (!std::filesystem::exists(path / "constant/wettability")) return;        // a model that needs angles has said so
     if (!sampled.empty() && !particles) return;                                 // and patches are not known yet
