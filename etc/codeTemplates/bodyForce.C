@@ -1,14 +1,13 @@
-// Gravity that sets in over the first moments of a run, from constant/g. (Equation and source of the model.)
+// Gravity below a height alone, from constant/g. (Equation and source of the model.)
 //
-//     u_i += dt g min(t/ramp, 1),   t: since the start of the run, at the end of the step
+//     p_i = x_i + dt (u_i + dt g) where z_i < top, x_i + dt u_i elsewhere
 //
 //     bodyForce   @word@;
-//     constant/g:   value [0 1 -2 0 0 0 0] (0 0 -9.81);  ramp 1e-3;      // m/s2, s
+//     constant/g:   value [0 1 -2 0 0 0 0] (0 0 -9.81);  top 1e-3;       // m/s2, m
 
 #include "device/ForEach.H"
 #include "models/bodyForce/BodyForce.H"
 
-#include <algorithm>
 #include <cmath>
 
 namespace shizuku
@@ -17,12 +16,18 @@ namespace shizuku
 namespace
 {
 
-struct AddVelocity
+struct PredictBelow
 {
-    Vec3 change;
-    Span<Vec3> velocity;
+    scalar dt, top;
+    Vec3 change;                        // dt g
+    Span<const Vec3> position, velocity;
+    Span<Vec3> predicted;
 
-    HOST_DEVICE void operator()(int i) const { velocity[i] += change; }
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Vec3 x = position[i];
+        predicted[i] = x + dt * (x.z < top ? velocity[i] + change : velocity[i]);
+    }
 };
 
 class @class@ : public BodyForce
@@ -32,26 +37,25 @@ public:
     {
         const Dictionary dict = Dictionary::read(constant / "g");
         const auto g = dict.lookupDimensionedVector("value", dimensions::acceleration);
-        const double ramp = dict.lookupDimensionedOr("ramp", dimensions::time, 1e-3);
-        if (!(ramp > 0)) throw FatalInputError(dict.where("ramp"), "The ramp is not positive", "more than 0, s");
+        const double top = dict.lookupDimensionedOr("top", dimensions::length, 1e-3);
+        if (!(top > 0)) throw FatalInputError(dict.where("top"), "The top is not above the origin", "more than 0, m");
         dict.refuseUnused();
         magnitude_ = std::hypot(g[0], g[1], g[2]);
         const auto scaled = [&](double a) { return liquid.units().toScaled(a, dimensions::acceleration); };
         g_ = {scaled(g[0]), scaled(g[1]), scaled(g[2])};
-        ramp_ = liquid.units().toScaled(ramp, dimensions::time);
+        top_ = liquid.units().toScaled(top, dimensions::length);
     }
 
-    void apply(Liquid& liquid, scalar dt) override
+    void predict(Liquid& liquid, scalar dt) const override
     {
-        time_ += dt;
-        forEach(liquid.owned(), AddVelocity{dt * std::min(time_ / ramp_, scalar(1)) * g_, liquid.velocity.span()});
+        forEach(liquid.owned(), PredictBelow{dt, top_, dt * g_, liquid.position.span(), liquid.velocity.span(), liquid.predicted.span()});
     }
 
     double acceleration() const override { return magnitude_; }
 
 private:
     Vec3 g_;                            // scaled
-    scalar ramp_, time_ = 0;            // scaled
+    scalar top_;                        // scaled
     double magnitude_;                  // m/s2
 };
 

@@ -16,7 +16,7 @@ FlowView::FlowView
 
 const Liquid& FlowView::liquid()
 {
-    if (densityIsDue_) computeDensity(liquid_, near, walls);
+    if (densityIsDue_) computeDensity(liquid_, liquid_.position, near, walls);
     densityIsDue_ = false;
     return liquid_;
 }

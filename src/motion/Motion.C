@@ -11,10 +11,11 @@ namespace
 struct Predict
 {
     scalar dt;
+    Vec3 change;
     Span<const Vec3> position, velocity;
     Span<Vec3> predicted;
 
-    HOST_DEVICE void operator()(int i) const { predicted[i] = position[i] + dt * velocity[i]; }
+    HOST_DEVICE void operator()(int i) const { predicted[i] = position[i] + dt * (velocity[i] + change); }
 };
 
 struct Displace
@@ -41,9 +42,9 @@ struct Update
 
 }
 
-void predictPositions(Liquid& liquid, scalar dt)
+void predictPositions(Liquid& liquid, scalar dt, Vec3 change)
 {
-    forEach(liquid.owned(), Predict{dt, liquid.position.span(), liquid.velocity.span(), liquid.predicted.span()});
+    forEach(liquid.owned(), Predict{dt, change, liquid.position.span(), liquid.velocity.span(), liquid.predicted.span()});
 }
 
 void displace(Liquid& liquid, const Buffer<Vec3>& acceleration, scalar dt)

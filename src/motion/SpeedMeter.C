@@ -33,11 +33,23 @@ void SpeedMeter::watch(const Liquid& liquid)
     watched_.add(liquid.owned(), speedOf(liquid));
 }
 
-Speeds SpeedMeter::measure(const Liquid& liquid)
+void SpeedMeter::ask(const Liquid& liquid)
 {
-    const Fastest now = reduce(liquid.owned(), speedOf(liquid), scratch_), watched = watched_.take();
+    watched_.ask();
+    now_.ask(liquid.owned(), speedOf(liquid));
+}
+
+Speeds SpeedMeter::take(const Liquid& liquid)
+{
+    const Fastest watched = watched_.take(), now = now_.take();
     const auto speed = [&](scalar speed2) { return std::sqrt(double(speed2)) * liquid.units().of(dimensions::velocity); };
     return {speed(now.speed2), speed(std::max(now.speed2, watched.speed2)), now.nonFinite > 0 ? now.nonFinite : watched.nonFinite};
+}
+
+Speeds SpeedMeter::measure(const Liquid& liquid)
+{
+    ask(liquid);
+    return take(liquid);
 }
 
 }

@@ -36,7 +36,8 @@ RunForecast forecastRun
 
     Neighbourhood near(liquid);
     const scalar dt = liquid.units().toScaled(forecast.subStep.dt, dimensions::time);
-    const auto step = [&] { subStep(liquid, near, walls, models, dt); };
+    SubStep subStep(liquid, near, walls, models);
+    const auto step = [&] { subStep(dt); };
     forecast.firstSubStep = secondsOf(step);
     double sum = 0;
     do

@@ -12,26 +12,28 @@ namespace shizuku
 namespace
 {
 
-// Predicts the positions after dt, and lists what lies around them. move: what needs the lists and may have to be done again with
-// longer ones.
-template<class Move>
-void predict(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& models, scalar dt, const Move& move)
+// Lists what lies around the predicted positions. Lists that find no room are cut off, which is asked for later.
+void search(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& models)
 {
-    predictPositions(liquid, dt);
     models.freeSurface->forget();
     near.search(liquid, models.freeSurface->support());
     walls.search(liquid);
-    move();
-    // Asked late: by then the device has enough to do.
+}
+
+// Where something was cut off, longer lists, and once more what needs them: `predict` the positions and `move` them. Called late: the
+// device shall have enough to do until the host has looked.
+template<class Predict, class Move>
+void lengthen(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& models, const Predict& predict, const Move& move)
+{
     const bool listsCutOff = near.cutOff(), wallsCutOff = walls.cutOff(), surfaceCutOff = models.freeSurface->cutOff();
     if (!listsCutOff && !wallsCutOff && !surfaceCutOff) return;
-    predictPositions(liquid, dt);
+    predict();
     near.lengthen(liquid);
     walls.lengthen(liquid);
     move();
     while (models.freeSurface->cutOff())        // longer lists show more of the surface
     {
-        predictPositions(liquid, dt);
+        predict();
         move();
     }
 }
@@ -46,27 +48,41 @@ int settlingRounds(const Liquid& liquid, scalar dt)
 
 }
 
-void subStep(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, scalar dt)
+void SubStep::begin(scalar dt)
 {
-    models.bodyForce->apply(liquid, dt);
-    predict(liquid, near, walls, models, dt, [&]
-    {
-        models.freeSurface->search(liquid, near, walls);
-        models.forces.applyBeforeIterations(liquid, near, walls, dt);
-    });
-    liquid.velocity = {};                                   // is computed anew: its memory serves the pressure
-    walls.project(liquid);
-    iterate(liquid, near, walls, *models.pressure, dt, [&] { models.forces.applyInIteration(liquid, near, walls, dt); });
+    models_.bodyForce->predict(liquid_, dt);
+    search(liquid_, near_, walls_, models_);
+    applyForces(dt);
+    begun_ = dt;
+}
 
-    updateVelocities(liquid, dt);
-    models.pressure->correctVelocities(liquid, near, walls);
-    models.netMotion.takeBack
+void SubStep::applyForces(scalar dt)
+{
+    models_.freeSurface->search(liquid_, near_, walls_);
+    models_.forces.applyBeforeIterations(liquid_, near_, walls_, dt);
+}
+
+void SubStep::operator()(scalar dt)
+{
+    if (begun_ != dt) begin(dt);
+    begun_.reset();
+    lengthen
     (
-        liquid, models.pressure->takeDisplacement(), models.forces.takeDisplacement(dt), walls,
-        models.freeSurface->support(), dt
+        liquid_, near_, walls_, models_, [&] { models_.bodyForce->predict(liquid_, dt); }, [&] { applyForces(dt); }
     );
-    models.viscosity->apply(liquid, near, walls, dt);
-    models.particleShifting->apply(liquid, near, walls);
+    liquid_.velocity = {};                                  // is computed anew: its memory serves the pressure
+    walls_.project(liquid_);
+    iterate(liquid_, near_, walls_, *models_.pressure, dt, [&] { models_.forces.applyInIteration(liquid_, near_, walls_, dt); });
+
+    updateVelocities(liquid_, dt);
+    models_.pressure->correctVelocities(liquid_, near_, walls_);
+    models_.netMotion.takeBack
+    (
+        liquid_, models_.pressure->takeDisplacement(), models_.forces.takeDisplacement(dt), walls_,
+        models_.freeSurface->support(), dt
+    );
+    models_.viscosity->apply(liquid_, near_, walls_, dt);
+    models_.particleShifting->apply(liquid_, near_, walls_);
 }
 
 void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, scalar dt)
@@ -74,7 +90,12 @@ void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, s
     if (!models.pressure->settles()) return;
     for (int rounds = settlingRounds(liquid, dt); rounds > 0; --rounds)
     {
-        predict(liquid, near, walls, models, 0, [&] { models.freeSurface->search(liquid, near, walls); });
+        const auto predict = [&] { predictPositions(liquid, 0); };
+        const auto findSurface = [&] { models.freeSurface->search(liquid, near, walls); };
+        predict();
+        search(liquid, near, walls, models);
+        findSurface();
+        lengthen(liquid, near, walls, models, predict, findSurface);
         walls.project(liquid);
         iterate(liquid, near, walls, *models.pressure, dt, [] {});
         liquid.position.swap(liquid.predicted);

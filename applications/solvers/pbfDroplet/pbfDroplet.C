@@ -71,22 +71,29 @@ void pbfDroplet(const Arguments& args)
     std::optional<ProfileReport> profile;
     if (args.found("profile")) profile.emplace();
     std::cout << "Ready for the first step after " << clockTime() << " s" << std::endl;
+    SubStep subStep(liquid, near, walls, models);
     ParticleWriter fields;
     BackgroundWriter writer;
     while (time.running())
     {
         if (time.readIfModified()) control = StepControl(time.controlDict());
-        if (changes.apply(time, liquid, walls, models)) functions.modelsMade(flow);
+        if (changes.apply(time, liquid, walls, models))
+        {
+            subStep.beginAnew();
+            functions.modelsMade(flow);
+        }
         const SubSteps steps = subSteps();
         const scalar dt = scaled(steps);
         time.advance();
 
         for (int step = 0; step < steps.count; ++step)
         {
-            subStep(liquid, near, walls, models, dt);
+            subStep(dt);
             if (step + 1 < steps.count) meter.watch(liquid);
         }
-        speeds = meter.measure(liquid);
+        meter.ask(liquid);
+        subStep.begin(dt);                              // mostly the next one is as long
+        speeds = meter.take(liquid);
         refuseDivergence(time, steps, liquid.properties().spacing, speeds, writer);
 
         flow.moved(steps.dt);

@@ -32,25 +32,25 @@ Readback::Post Readback::ask(int n)
 {
     words_.resizeDiscarding(n + 1);
     words_.data()[0] = 0;
-    before_ = device::launchQueue().enqueued();
+    before_ = device::given();
     return {words_.data() + 1, {words_.data(), ++asked_}};
 }
 
 const std::uint32_t* Readback::wait()
 {
-    device::LaunchQueue& queue = device::launchQueue();
-    const std::size_t given = queue.enqueued() - before_;
-    device::wait({words_.data(), asked_}, 1);
-    constexpr std::size_t few = 4;
-    if (given <= few) queue.idle();                     // of more it has work left
+    device::wait({words_.data(), asked_}, 1, before_);
     return words_.data() + 1;
 }
 
 namespace device
 {
 
-void wait(const Stamp& stamp, int n)
+std::size_t given() { return launchQueue().enqueued(); }
+
+void wait(const Stamp& stamp, int n, std::size_t since)
 {
+    constexpr std::size_t few = 4;
+    const bool runsOut = given() - since <= few;
     const cudaStream_t stream = launchQueue().stream();
     constexpr int often = 1 << 12;                      // looks at a word, until the GPU is asked whether it is well
     for (int k = 0; k < n; ++k)
@@ -61,9 +61,8 @@ void wait(const Stamp& stamp, int n)
         }
     }
     std::atomic_thread_fence(std::memory_order_acquire);
+    if (runsOut) launchQueue().idle();
 }
-
-void idle() { launchQueue().idle(); }
 
 }
 

@@ -121,15 +121,33 @@ TEST(Reduce, KeepsItsScratchMemory)
     EXPECT_EQ(deviceCounters().bytes, bytes);
 }
 
+// Of one pass and of two; what the device is given meanwhile, reductions of the same type among it, takes nothing from it.
+TEST(LateSum, IsThatOfWhenItWasAsked)
+{
+    for (const int n : {1000, 1000000})
+    {
+        Buffer<scalar> values(std::vector<scalar>(n, 1));
+        Buffer<ScalarSum> scratch;
+        LateSum<ScalarSum> sum;
+        sum.ask(n, ReadScalar{values.span()});
+        values.setZero();
+        EXPECT_EQ(reduce(n, ReadScalar{values.span()}, scratch).value, 0);
+        EXPECT_EQ(sum.take().value, n);                 // ones: exact
+    }
+}
+
 TEST(Accumulator, FoldsOverSeveralCallsAndBeginsAnew)
 {
     Accumulator<LongSum> sum;
+    sum.ask();
     EXPECT_EQ(sum.take().value, 0);
     for (int repeat = 0; repeat < 2; ++repeat)
     {
         sum.add(3, Squares{});          // 0 + 1 + 4
         sum.add(5000, Squares{});
+        sum.ask();
         EXPECT_EQ(sum.take().value, 5 + 4999L * 5000 * 9999 / 6);
+        sum.ask();
         EXPECT_EQ(sum.take().value, 0);
     }
 }

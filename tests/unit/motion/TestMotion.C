@@ -14,6 +14,9 @@ TEST(Motion, PredictsDisplacesAndReadsTheVelocityOff)
     drop.liquid.resize(2);
     drop.liquid.position.upload({{1, 2, 3}, {-1, 0, 0}});
     drop.liquid.velocity.upload({{4, 0, -8}, {0, 0, 0}});
+    predictPositions(drop.liquid, 0.25f, {0, 4, 8});
+    EXPECT_EQ(drop.liquid.predicted.download()[0].y, 3);
+    EXPECT_EQ(drop.liquid.predicted.download()[1].z, 2);
     predictPositions(drop.liquid, 0.25f);
     EXPECT_EQ(drop.liquid.predicted.download()[0].x, 2);
     EXPECT_EQ(drop.liquid.predicted.download()[0].z, 1);

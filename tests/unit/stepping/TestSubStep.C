@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 using namespace shizuku;
 using namespace shizuku::test;
 
@@ -33,7 +35,7 @@ std::vector<Vec3> positionsAfterStep(bool prepared)
         drop.near.update(drop.liquid, models.freeSurface->support());
         drop.walls.update(drop.liquid);
     }
-    subStep(drop.liquid, drop.near, drop.walls, models, dt);
+    SubStep(drop.liquid, drop.near, drop.walls, models)(dt);
     return drop.inOrder(drop.liquid.position);
 }
 
@@ -50,6 +52,71 @@ TEST(SubStep, IsTheSameWhenListsFindNoRoom)
         ASSERT_EQ(found[i].y, expected[i].y);
         ASSERT_EQ(found[i].z, expected[i].z);
     }
+}
+
+namespace
+{
+
+// A drop that falls and spreads, after three steps.
+std::vector<Vec3> spreadDrop(const std::function<void(SubStep&, scalar)>& makeStep)
+{
+    LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta 60; }"});
+    drop.folder.write
+    (
+        "constant/models",
+        "pressure completedPbf; surfaceTension continuumSurfaceForce; wetting extendedSurface; viscosity XSPH; bodyForce gravity;"
+    );
+    Models models(drop.folder.path(), Dictionary(), drop.liquid, drop.walls);
+    const auto positions = latticeBlock(9, 9, 5, 1, {-4, -4, 0.5f});
+    std::vector<Vec3> velocities;
+    for (const Vec3 p : positions) velocities.push_back(0.02f * Vec3{p.x, p.y, -p.z});
+    drop.place(positions, velocities);
+    SubStep subStep(drop.liquid, drop.near, drop.walls, models);
+    for (int step = 0; step < 3; ++step) makeStep(subStep, 0.1f);
+    return drop.inOrder(drop.liquid.position);
+}
+
+double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
+{
+    double most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, double(norm(a[i] - b[i])));
+    return most;
+}
+
+}
+
+// A step that was begun ahead is the same step, bit by bit.
+TEST(SubStep, MayBeBegunAhead)
+{
+    const auto expected = spreadDrop([](SubStep& subStep, scalar dt) { subStep(dt); });
+    const auto ahead = spreadDrop([](SubStep& subStep, scalar dt)
+    {
+        subStep.begin(dt);
+        subStep(dt);
+    });
+    EXPECT_EQ(farthest(ahead, expected), 0);
+}
+
+// One of another length, and one from before models changed, leave nothing behind but an order of the particles: sums round otherwise,
+// to some 1e-7 of a coordinate of four spacings in each of three steps.
+TEST(SubStep, IsBegunAnewWhereWhatWasBegunDoesNotHold)
+{
+    const auto expected = spreadDrop([](SubStep& subStep, scalar dt) { subStep(dt); });
+    const auto otherLength = spreadDrop([](SubStep& subStep, scalar dt)
+    {
+        subStep.begin(2 * dt);
+        subStep(dt);
+    });
+    const auto changed = spreadDrop([](SubStep& subStep, scalar dt)
+    {
+        subStep.begin(dt);
+        subStep.beginAnew();
+        subStep(dt);
+    });
+    const double moved = farthest(expected, spreadDrop([](SubStep&, scalar) {}));
+    EXPECT_GT(moved, 1e-2);
+    EXPECT_LT(farthest(otherLength, expected), 1e-5);
+    EXPECT_LT(farthest(changed, expected), 1e-5);
 }
 
 namespace
@@ -92,7 +159,7 @@ struct Sheet
     std::vector<Vec3> positions() const { return drop.inOrder(drop.liquid.position); }
 
     void settleFor(scalar dt) { settle(drop.liquid, drop.near, drop.walls, models, dt); }
-    void step(scalar dt) { subStep(drop.liquid, drop.near, drop.walls, models, dt); }
+    void step(scalar dt) { SubStep(drop.liquid, drop.near, drop.walls, models)(dt); }
 };
 
 }

@@ -2,8 +2,8 @@
 //
 //     bodyForce   gravity;
 
-#include "device/ForEach.H"
 #include "models/bodyForce/BodyForce.H"
+#include "motion/Motion.H"
 
 #include <cmath>
 
@@ -12,14 +12,6 @@ namespace shizuku
 
 namespace
 {
-
-struct Accelerate
-{
-    Vec3 change;
-    Span<Vec3> velocity;
-
-    HOST_DEVICE void operator()(int i) const { velocity[i] += change; }
-};
 
 class Gravity : public BodyForce
 {
@@ -41,10 +33,7 @@ public:
         g_ = {scaled(value_[0]), scaled(value_[1]), scaled(value_[2])};
     }
 
-    void apply(Liquid& liquid, scalar dt) override
-    {
-        forEach(liquid.owned(), Accelerate{dt * g_, liquid.velocity.span()});
-    }
+    void predict(Liquid& liquid, scalar dt) const override { predictPositions(liquid, dt, dt * g_); }
 
     double acceleration() const override { return std::hypot(value_[0], value_[1], value_[2]); }
     std::array<double, 3> uniform() const override { return value_; }

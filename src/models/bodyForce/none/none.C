@@ -1,6 +1,7 @@
 // No force on the whole liquid.
 
 #include "models/bodyForce/BodyForce.H"
+#include "motion/Motion.H"
 
 namespace shizuku
 {
@@ -12,7 +13,7 @@ class NoBodyForce : public BodyForce
 {
 public:
     NoBodyForce(const std::filesystem::path&, const Liquid&) {}
-    void apply(Liquid&, scalar) override {}
+    void predict(Liquid& liquid, scalar dt) const override { predictPositions(liquid, dt); }
 };
 
 const BodyForceTable::Add<NoBodyForce> registered{"none"};

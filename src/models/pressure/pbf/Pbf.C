@@ -101,6 +101,7 @@ public:
         controls_(PressureControls::read(dict, liquid)),
         selfGradient_(dict.lookupOr("selfGradient", true)),
         unilateral_(dict.lookupOr("unilateral", true)),
+        fields_(liquid.fields()),
         multiplier_(liquid.fields().require<scalar>({.name = "multiplier", .dimensions = dimensions::none, .sorted = false, .exchanged = true}))
     {}
 
@@ -113,11 +114,7 @@ public:
     bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
         if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
-        if (keepsPressure_ && iterations_ == 0)
-        {
-            pressure_.resizeDiscarding(liquid.all());
-            pressure_.setZero();
-        }
+        if (pressure_ && iterations_ == 0) pressure_->setZero();
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -151,10 +148,10 @@ public:
             liquid.kernel()
         );
         liquid.predicted.swap(corrected_);
-        if (keepsPressure_)
+        if (pressure_)
         {
             const scalar factor = controls_.relaxation * liquid.restDensity() / (dt_ * dt_);
-            forEach(liquid.owned(), AddPressure{factor, multiplier_.span(), pressure_.span()});
+            forEach(liquid.owned(), AddPressure{factor, multiplier_.span(), pressure_->span()});
         }
     }
 
@@ -165,18 +162,18 @@ public:
     // dt^2 p/rho0.
     const Buffer<scalar>* keepPressure() override
     {
-        keepsPressure_ = true;
-        return &pressure_;
+        pressure_ = &fields_.require<scalar>({.name = "p", .dimensions = dimensions::pressure});
+        return pressure_;
     }
 
 private:
     PressureControls controls_;
     bool selfGradient_, unilateral_;
     int iterations_ = 0;
+    FieldRegistry& fields_;
     Buffer<scalar>& multiplier_;
     scalar dt_ = 0;
-    bool keepsPressure_ = false;
-    Buffer<scalar> pressure_;
+    Buffer<scalar>* pressure_ = nullptr;        // where somebody asks for it
     Buffer<Vec3> corrected_;
     AverageCompression compression_;
 };
