@@ -46,6 +46,7 @@ StoredNumber onLogarithms(const Curve& curve, double x)
 // (doc/advice.md).
 constexpr double nearParticles = 1.3, nearChoice = 2, nearBond = 1.5;      // ratios
 constexpr double nearAngle = 15;                        // degrees
+constexpr double power = 1.5;                           // of errors, in their mean
 
 double ratioDistance(double a, double b, double ratio) { return std::log(a/b)/std::log(ratio); }
 
@@ -135,7 +136,7 @@ std::optional<StoredNumber> StoredStudies::typicalError(const std::vector<Run>& 
         const double weight = std::exp(-0.5*(a*a + b*b + c*c));
         const double spacing = std::cbrt(run->particles/asked.particles);       // asked for, over the run's
         const double amount = run->error*spacing*sizeOfAnswer(run->scene, run->parameter);
-        sum += weight*amount*amount;
+        sum += weight*std::pow(amount, power);
         weights += weight;
         sources[run->source] += weight;
     }
@@ -146,7 +147,7 @@ std::optional<StoredNumber> StoredStudies::typicalError(const std::vector<Run>& 
     {
         if (weight >= named*weights) source += (source.empty() ? "" : " and ") + name;
     }
-    return StoredNumber{std::sqrt(sum/weights)/size, source};
+    return StoredNumber{std::pow(sum/weights, 1/power)/size, source};
 }
 
 std::optional<double> StoredStudies::scatter(const std::string& modelSet) const
