@@ -104,15 +104,6 @@ void SampledLayer::useCosines(const std::vector<scalar>& cosines)
     cosTheta_->upload(sorted);
 }
 
-std::vector<scalar> SampledLayer::cosines() const
-{
-    const auto order = order_.download();
-    const auto sorted = cosTheta_->download();
-    std::vector<scalar> cosines(sorted.size());
-    for (std::size_t k = 0; k < sorted.size(); ++k) cosines[order[k]] = sorted[k];
-    return cosines;
-}
-
 void SampledLayer::search(const Liquid& liquid)
 {
     if (solid_.all() == 0) return;

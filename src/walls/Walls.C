@@ -1,5 +1,6 @@
 #include "walls/Walls.H"
 
+#include "core/angles/Degrees.H"
 #include "core/fieldFile/FieldFile.H"
 #include "core/time/Time.H"
 #include "device/ForEach.H"
@@ -20,15 +21,11 @@ namespace
 {
 
 // theta in degrees
-scalar cosine(double theta)
-{
-    constexpr double degree = 3.14159265358979323846 / 180;
-    return scalar(std::cos(theta * degree));
-}
+scalar cosine(double theta) { return scalar(std::cos(radians(theta))); }
 
-scalar cosineOf(double theta, const SourceLocation& where)
+void refuseUnlessAngle(double theta, const SourceLocation& where)
 {
-    if (theta >= 0 && theta <= 180) return cosine(theta);
+    if (theta >= 0 && theta <= 180) return;
     std::ostringstream text;
     text << "A contact angle of " << theta << " degrees";
     throw FatalInputError(where, text.str(), "0 to 180 degrees");
@@ -64,12 +61,6 @@ std::vector<WallSurface> facesOf(const AnalyticSurface& box, double unit)
     return faces;
 }
 
-}
-
-void WallCosines::setParticles(const std::vector<double>& theta)
-{
-    particles.clear();
-    for (const double angle : theta) particles.push_back(cosine(angle));
 }
 
 Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liquid& liquid)
@@ -123,37 +114,38 @@ bool Walls::oneContactAngle() const
 
 std::pair<double, double> Walls::contactAngles(scalar reach) const
 {
-    constexpr double degree = 3.14159265358979323846 / 180;
     double tilt = 0;
     for (int a = 0; a < surfaces_.count; ++a)
     {
         const WallSurface& surface = surfaces_.surface[a];
-        if (surface.type != WallSurface::plane) tilt = std::max(tilt, double(reach / surface.radius) / degree);
+        if (surface.type != WallSurface::plane) tilt = std::max(tilt, degrees(reach / surface.radius));
     }
     const auto widened = [&](double least, double most)
     {
         return std::pair{std::max(least - tilt, 0.0), std::min(most + tilt, 180.0)};
     };
-    if (!angles_) return widened(90, 90);
-    std::vector<scalar> cosines;
-    if (layer_) cosines = layer_->cosines();
-    for (int a = 0; a < surfaces_.count; ++a) cosines.push_back(surfaces_.surface[a].cosTheta);
-    if (cosines.empty()) return widened(90, 90);
-    const auto [least, most] = std::minmax_element(cosines.begin(), cosines.end());
-    return widened(std::acos(double(*most)) / degree, std::acos(double(*least)) / degree);
+    double least = 180, most = 0;
+    for (const auto* of : {angles_ ? &angles_->surfaces : nullptr, angles_ ? &angles_->particles : nullptr})
+    {
+        if (!of || of->empty()) continue;
+        const auto [low, high] = std::minmax_element(of->begin(), of->end());
+        least = std::min(least, *low);
+        most = std::max(most, *high);
+    }
+    return least <= most ? widened(least, most) : widened(90, 90);
 }
 
 void Walls::requireContactAngles()
 {
-    if (!angles_ && (layer_ || surfaces_.count > 0)) use(readCosines(startTime_));
+    if (!angles_ && (layer_ || surfaces_.count > 0)) use(readAngles());
 }
 
-WallCosines Walls::readCosines(double time) const
+WallAngles Walls::readAngles() const
 {
-    WallCosines cosines;
+    WallAngles angles;
     if (layer_)
     {
-        const auto folder = findInstance(case_, time, "solid/theta");
+        const auto folder = findInstance(case_, startTime_, "solid/theta");
         if (folder.empty())
         {
             throw FatalInputError
@@ -164,7 +156,11 @@ WallCosines Walls::readCosines(double time) const
         }
         const auto file = folder / "solid/theta";
         const FieldData theta = readField(file, FieldType::scalar, dimensions::none, particles());
-        for (int k = 0; k < particles(); ++k) cosines.particles.push_back(cosineOf(theta(k), {file.string(), 0}));
+        for (int k = 0; k < particles(); ++k)
+        {
+            refuseUnlessAngle(theta(k), {file.string(), 0});
+            angles.particles.push_back(theta(k));
+        }
     }
     if (surfaces_.count > 0)
     {
@@ -177,27 +173,20 @@ WallCosines Walls::readCosines(double time) const
         }
         names.insert(names.end(), surfaceNames_.begin(), surfaceNames_.end());
         refuseUnknownWalls(wettability, names, case_);
-        for (const std::string& wall : surfaceNames_) cosines.surfaces.push_back(cosine(wallTheta(wettability, wall)));
+        for (const std::string& wall : surfaceNames_) angles.surfaces.push_back(wallTheta(wettability, wall));
         wettability.refuseUnused();
     }
-    return cosines;
+    return angles;
 }
 
-void Walls::use(const WallCosines& cosines)
+void Walls::use(WallAngles angles)
 {
-    angles_ = true;
-    for (int a = 0; a < surfaces_.count; ++a) surfaces_.surface[a].cosTheta = cosines.surfaces[a];
-    if (layer_) layer_->useCosines(cosines.particles);
+    angles_ = std::move(angles);
+    for (int a = 0; a < surfaces_.count; ++a) surfaces_.surface[a].cosTheta = cosine(angles_->surfaces[a]);
+    std::vector<scalar> cosines;
+    for (const double theta : angles_->particles) cosines.push_back(cosine(theta));
+    if (layer_) layer_->useCosines(cosines);
     wetted_ = contactAngles().first < 179.9;
-}
-
-std::optional<WallCosines> Walls::cosines() const
-{
-    if (!angles_) return {};
-    WallCosines cosines;
-    for (int a = 0; a < surfaces_.count; ++a) cosines.surfaces.push_back(surfaces_.surface[a].cosTheta);
-    if (layer_) cosines.particles = layer_->cosines();
-    return cosines;
 }
 
 void Walls::update(const Liquid& liquid)

@@ -1,12 +1,10 @@
 #include "CaseChanges.H"
 
-#include "core/angles/Degrees.H"
 #include "core/dictionary/Differences.H"
 #include "geometry/thetaModels/ThetaField.H"
 #include "stepping/StartCheck.H"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <sstream>
 
@@ -34,13 +32,12 @@ void refuseFixed(const Dictionary& former, const Dictionary& now)
 }
 
 // A contact angle of the whole field, or its range, in degrees.
-std::string rangeOf(const std::vector<scalar>& cosines)
+std::string rangeOf(const std::vector<double>& theta)
 {
-    const auto [low, high] = std::minmax_element(cosines.begin(), cosines.end());
-    const auto angle = [](scalar cosine) { return std::round(1e4 * degrees(std::acos(cosine))) / 1e4; };
+    const auto [low, high] = std::minmax_element(theta.begin(), theta.end());
     std::ostringstream text;
-    text << angle(*high);
-    if (*low != *high) text << " to " << angle(*low);
+    text << *low;
+    if (*low != *high) text << " to " << *high;
     return text.str();
 }
 
@@ -54,11 +51,6 @@ CaseChanges::CaseChanges(const Time& time)
         const auto path = time.casePath() / file;
         dictionaries_.push_back({WatchedFile(path), readOrEmpty(path)});
     }
-    watchTheta(time);
-}
-
-void CaseChanges::watchTheta(const Time& time)
-{
     const auto folder = findInstance(time.casePath(), time.value(), "solid/theta");
     if (!folder.empty()) theta_.emplace(folder / "solid/theta");
 }
@@ -80,11 +72,12 @@ bool CaseChanges::apply(const Time& time, Liquid& liquid, Walls& walls, Models& 
         names += (names.empty() ? "" : ", ") + name;
         wettability = wettability || name == wettabilityFile;
     }
-    if (theta_ && theta_->changed()) names += (names.empty() ? "" : ", ") + std::string("solid/theta");
+    const bool theta = theta_ && theta_->changed();
+    if (theta) names += (names.empty() ? "" : ", ") + std::string("solid/theta");
     if (names.empty()) return false;
     try
     {
-        make(time, wettability, liquid, walls, models);
+        make(time, {wettability, theta}, liquid, walls, models);
         return true;
     }
     catch (const FatalInputError& error)
@@ -97,7 +90,7 @@ bool CaseChanges::apply(const Time& time, Liquid& liquid, Walls& walls, Models& 
     }
 }
 
-void CaseChanges::make(const Time& time, bool wettability, Liquid& liquid, Walls& walls, Models& models)
+void CaseChanges::make(const Time& time, Anew anew, Liquid& liquid, Walls& walls, Models& models)
 {
     std::vector<Dictionary> now;
     for (const Watched& dictionary : dictionaries_) now.push_back(readOrEmpty(dictionary.file.path()));
@@ -111,16 +104,18 @@ void CaseChanges::make(const Time& time, bool wettability, Liquid& liquid, Walls
     solution.subDictOrEmpty("kernel").markUsed();
     relaxesOverlap(solution);           // of a start
     liquidDict.refuseUnused();
-    const auto cosines = walls.cosines();
-    std::vector<double> theta;
-    if (cosines && wettability && walls.particles() > 0) theta = caseTheta(time.casePath());
-    std::optional<WallCosines> newCosines;
-    if (cosines) newCosines = walls.readCosines(time.value());
-    if (!theta.empty()) newCosines->setParticles(theta);
+    const std::optional<WallAngles> formerAngles = walls.angles();
+    std::optional<WallAngles> angles;
+    if (formerAngles) angles = walls.readAngles();
+    if (angles && walls.particles() > 0)
+    {
+        if (anew.wettability) angles->particles = caseTheta(time.casePath());
+        else if (!anew.theta) angles->particles = formerAngles->particles;
+    }
 
     // The models are made with the new values in force, and nothing stays of these where a model cannot be made.
     liquid.change(wanted.viscosity, wanted.surfaceTension);
-    if (newCosines) walls.use(*newCosines);
+    if (angles) walls.use(*angles);
     try
     {
         Models fresh(time.casePath(), solution, liquid, walls);
@@ -130,23 +125,27 @@ void CaseChanges::make(const Time& time, bool wettability, Liquid& liquid, Walls
     catch (...)
     {
         liquid.change(former.viscosity, former.surfaceTension);
-        if (cosines) walls.use(*cosines);
+        if (formerAngles) walls.use(*formerAngles);
         throw;
     }
-    const bool otherTheta = cosines && cosines->particles != newCosines->particles;
-    if (!theta.empty() && otherTheta)
-    {
-        writeTheta(findInstance(time.casePath(), time.value(), "solid/theta"), theta, time.format());
-    }
-    watchTheta(time);
+    const bool otherTheta = angles && angles->particles != formerAngles->particles;
+    if (otherTheta) written_ = std::make_shared<const std::vector<double>>(angles->particles);
 
     std::cout << "The case has changed, the models were made anew\n";
     takeOver(time, now);
     if (otherTheta)
     {
-        std::cout << "    solid/theta: " << rangeOf(cosines->particles) << " -> " << rangeOf(newCosines->particles) << " degrees\n";
+        std::cout << "    solid/theta: " << rangeOf(formerAngles->particles) << " -> " << rangeOf(angles->particles) << " degrees\n";
     }
     std::cout << std::flush;
+}
+
+std::function<void(const std::filesystem::path&)> CaseChanges::writingTheta(const WriteFormat& format) const
+{
+    return [theta = written_, format](const std::filesystem::path& timeFolder)
+    {
+        if (theta) writeTheta(timeFolder, *theta, format);
+    };
 }
 
 // The dictionaries that are in force from now on; says what is new in them.

@@ -53,7 +53,7 @@ void warnOfOtherSolid(const Time& time, const Walls& walls)
     if (walls.particles() == 0) return;
     if (const std::string text = otherSurfaces(time.casePath()); !text.empty()) warning(text);
     const auto file = time.casePath() / "constant/wettability";
-    if (!walls.cosines() || !std::filesystem::exists(file)) return;
+    if (!walls.angles() || !std::filesystem::exists(file)) return;
     const std::string text = otherTheta(time.casePath(), findInstance(time.casePath(), time.value(), "solid/theta"));
     if (!text.empty()) warning(text);
 }

@@ -100,7 +100,12 @@ void pbfDroplet(const Arguments& args)
         functions.execute(flow);
         stopWhereAsked(time, functions);
         if (time.reportDue()) reportStep(steps, flow);
-        if (time.writeDue()) writer.add(time.writing(fields.copy(flow.liquid(), liquid.units(), time.format())));
+        if (time.writeDue())
+        {
+            const auto particles = fields.copy(flow.liquid(), liquid.units(), time.format());
+            const auto theta = changes.writingTheta(time.format());
+            writer.add(time.writing([=](const std::filesystem::path& folder) { particles(folder), theta(folder); }));
+        }
         functions.write(time, writer);
         writer.start();
         if (profile) profile->count(steps.count);

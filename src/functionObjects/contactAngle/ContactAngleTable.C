@@ -33,7 +33,11 @@ public:
     }
 
     // A changed angle counts once the models have it.
-    void modelsMade(FlowView& flow) override { measurement_.readCase(flow.time.value()); }
+    void modelsMade(FlowView& flow) override
+    {
+        const auto& angles = flow.walls.angles();
+        measurement_.readCase(flow.time.value(), angles ? angles->particles : std::vector<double>());
+    }
 
     void execute(FlowView& flow) override
     {

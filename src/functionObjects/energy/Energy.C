@@ -7,10 +7,12 @@
 // 0 without a model of tension, and not a number where liquid touches walls that have no contact angle in the chosen
 // models. total: their sum.
 
+#include "core/angles/Degrees.H"
 #include "core/fieldFile/CsvFile.H"
 #include "functionObjects/FunctionObject.H"
 #include "geometry/WettedSurface.H"
 
+#include <cmath>
 #include <limits>
 
 namespace shizuku
@@ -55,15 +57,14 @@ private:
     {
         const TriangleMesh& mesh = flow.surface();
         const std::vector<WettedSurface::Contact> contacts = wetted_.find(mesh);
-        const auto cosines = flow.walls.cosines();
+        const auto& angles = flow.walls.angles();
         double area = 0;
         for (std::size_t f = 0; f < contacts.size(); ++f)
         {
             const auto& contact = contacts[f];
             if (contact.wall < 0) area += contact.area;
-            else if (!cosines) return std::numeric_limits<double>::quiet_NaN();
-            else if (contact.solid < 0) area -= contact.area * cosines->surfaces[contact.wall];
-            else area -= contact.area * cosines->particles[contact.solid];
+            else if (!angles) return std::numeric_limits<double>::quiet_NaN();
+            else area -= contact.area * std::cos(radians(contact.solid < 0 ? angles->surfaces[contact.wall] : angles->particles[contact.solid]));
         }
         return area;
     }

@@ -45,9 +45,12 @@ DropMeasurement::DropMeasurement
     wall_(makeWallShape(walls_, controls.wall, spacing)), prescribed_(casePath, walls_, controls.wall), case_(casePath)
 {}
 
-void DropMeasurement::readCase(double time)
+void DropMeasurement::readCase(double time) { readCase(time, {}); }
+
+void DropMeasurement::readCase(double time, const std::vector<double>& theta)
 {
-    prescribed_.read(time);
+    if (theta.empty()) prescribed_.read(time);
+    else prescribed_.take(theta);
     gravity_ = caseGravity(case_);
     density_ = densityOf(case_);
 }

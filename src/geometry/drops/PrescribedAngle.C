@@ -1,6 +1,7 @@
 #include "geometry/drops/PrescribedAngle.H"
 
 #include "core/dictionary/Dictionary.H"
+#include "core/fieldFile/FieldFile.H"
 #include "core/time/Time.H"
 
 #include <limits>
@@ -29,23 +30,31 @@ PrescribedAngle::PrescribedAngle
 
 void PrescribedAngle::read(double time)
 {
-    wallTheta_.reset();
-    theta_.reset();
-    if (patch_ < 0)
-    {
-        const auto file = case_/"constant/wettability";
-        if (!std::filesystem::exists(file)) return;
-        wallTheta_ = Dictionary::read(file).subDictOrEmpty(wall_).lookupOr<double>("theta", none);
-        return;
-    }
+    theta_.clear();
+    if (patch_ < 0) return readWall();
     const auto instance = findInstance(case_, time, "solid/theta");
     if (instance.empty()) return;
-    theta_ = readField(instance/"solid/theta", FieldType::scalar, dimensions::none, long(walls_.solid.positions.size()));
+    const std::size_t count = walls_.solid.positions.size();
+    const FieldData field = readField(instance/"solid/theta", FieldType::scalar, dimensions::none, long(count));
+    for (std::size_t i = 0; i < count; ++i) theta_.push_back(field(i));
+}
+
+void PrescribedAngle::take(const std::vector<double>& theta)
+{
+    if (patch_ < 0) return readWall();
+    theta_ = theta;
+}
+
+void PrescribedAngle::readWall()
+{
+    const auto file = case_/"constant/wettability";
+    wallTheta_.reset();
+    if (std::filesystem::exists(file)) wallTheta_ = Dictionary::read(file).subDictOrEmpty(wall_).lookupOr<double>("theta", none);
 }
 
 double PrescribedAngle::below(const Vector3& foot, double radius, const Vector3& normal) const
 {
-    if (!theta_) return wallTheta_.value_or(none);
+    if (theta_.empty()) return wallTheta_.value_or(none);
     const SolidParticles& solid = walls_.solid;
     double sum = 0;
     long count = 0;
@@ -54,7 +63,7 @@ double PrescribedAngle::below(const Vector3& foot, double radius, const Vector3&
         const Vector3 fromFoot = solid.positions[i] - foot;
         const Vector3 along = fromFoot - dot(fromFoot, normal)*normal;
         if (solid.patch[i] != patch_ || length(along) > radius || dot(solid.normals[i], normal) <= 0) continue;
-        sum += (*theta_)(i);
+        sum += theta_[i];
         ++count;
     }
     return count > 0 ? sum/count : none;

@@ -2,6 +2,7 @@
 
 #include "SolverCase.H"
 
+#include "core/fieldFile/FieldFile.H"
 #include "support/Process.H"
 
 #include <cmath>
@@ -46,11 +47,18 @@ protected:
     }
 
     // The folder of the last time, its name aside.
-    Contents liquidAfter(std::size_t steps) const
+    Contents liquidAfter(std::size_t steps) const { return contents(timeAfter(steps) + "/liquid"); }
+
+    static std::string timeAfter(std::size_t steps)
     {
         std::ostringstream name;
         name << deltaT*double(steps);
-        return contents(name.str() + "/liquid");
+        return name.str();
+    }
+
+    FieldData thetaOf(const std::string& time) const
+    {
+        return readField(path()/time/"solid/theta", FieldType::scalar, dimensions::none);
     }
 
     void solveTo(std::size_t steps) const
@@ -93,7 +101,11 @@ TEST_P(Changes, actAsARestartWithThemWould)
     ASSERT_GE(all, before + 3);
     const Contents live = liquidAfter(all);
     EXPECT_EQ(live.size(), 4u);             // positions, U, densityRatio, id
-    const std::string rewritten = read("0/solid/theta");
+    // What the run started with stays; the time that it wrote has the new angles.
+    EXPECT_EQ(read("0/solid/theta"), theta);
+    const FieldData written = thetaOf(timeAfter(all));
+    EXPECT_GT(written.elements(), 0u);
+    for (std::size_t i = 0; i < written.elements(); ++i) ASSERT_EQ(written(i), 120) << i;
 
     // The same in two runs, and theta by sampleTheta.
     removeResults();
@@ -104,9 +116,10 @@ TEST_P(Changes, actAsARestartWithThemWould)
     solveTo(before);
     edit();
     ASSERT_EQ(run(program("sampleTheta") + " -case " + path().string()).status, 0);
-    EXPECT_EQ(read("0/solid/theta"), rewritten);
+    EXPECT_EQ(thetaOf("0")(0), 120);
     solveTo(all);
     EXPECT_TRUE(same(live, liquidAfter(all)));
+    EXPECT_FALSE(std::filesystem::exists(path()/timeAfter(all)/"solid"));        // where nothing changed in the run
 
     // And not because nothing has changed.
     removeResults();
@@ -128,6 +141,36 @@ TEST_P(Changes, ofSolidThetaBySampleTheta)
         made
     );
     EXPECT_TRUE(holds(log, {"solid/theta: 60 -> 75 degrees"}));
+}
+
+// Angles that were changed in a run stay when something else is changed, and go on with a run from its last time; sampleTheta tells of them.
+TEST_P(Changes, ofAnglesOutlastOtherChangesAndTheRun)
+{
+    begin("runTimeModifiable yes;");
+    Process process(command("pbfDroplet", ""), folder_.path()/"log");
+    const auto answered = [&](const std::string& answer)
+    {
+        return process.runUntil([&] { return process.log().find(answer) != std::string::npos; });
+    };
+    ASSERT_TRUE(process.runUntil([&] { return stepsOf(process.log()).size() > 2; })) << process.log();
+    write("constant/wettability", "floor { theta 120; }\nside { theta 90; }\n");
+    ASSERT_TRUE(answered("solid/theta: 60 -> 120 degrees")) << process.log();
+    write("constant/g", "value (0 0 -5);\n");
+    ASSERT_TRUE(answered("(0 0 -9.81) -> (0 0 -5)")) << process.log();
+    begin("runTimeModifiable yes; stopAt writeNow;");
+    ASSERT_EQ(process.wait(), 0) << process.log();
+    EXPECT_EQ(process.log().find("120 -> 60"), std::string::npos);
+    const std::size_t all = stepsOf(process.log()).size();
+    EXPECT_EQ(thetaOf(timeAfter(all))(0), 120);
+    EXPECT_EQ(thetaOf("0")(0), 60);
+
+    control(frame + "startFrom latestTime; endTime " + std::to_string(deltaT*double(all + 2)) + ";");
+    const Outcome further = solve();
+    EXPECT_EQ(further.status, 0) << further.text;
+    EXPECT_EQ(further.text.find("other contact angles"), std::string::npos) << further.text;
+    const Outcome sampled = run(program("sampleTheta") + " -case " + path().string());
+    EXPECT_EQ(sampled.status, 0);
+    EXPECT_TRUE(holds(sampled.text, {"WARNING: Later times hold contact angles of their own", timeAfter(all)})) << sampled.text;
 }
 
 // A wrong edit is left out, each with its reason: the run ends as one that nobody touched.

@@ -86,9 +86,8 @@ TEST(Walls, KeepContactAnglesWithTheirParticlesInWiderCells)
             ASSERT_NEAR(cosine[k], cosineOf(90 + 10 * position[k].x / walls.liquid.spacing()), 1e-6);
         }
         // In the order of the file again.
-        const auto cosines = walls.walls.cosines();
-        ASSERT_TRUE(cosines.has_value());
-        for (std::size_t k = 0; k < layer.size(); ++k) ASSERT_NEAR(cosines->particles[k], cosineOf(theta[k]), 1e-6);
+        ASSERT_TRUE(walls.walls.angles().has_value());
+        EXPECT_EQ(walls.walls.angles()->particles, theta);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/arguments/runApplication.H"
 #include "core/time/Controls.H"
+#include "core/time/Time.H"
 #include "geometry/thetaModels/ThetaField.H"
 
 #include <algorithm>
@@ -36,6 +37,22 @@ void report(const SolidParticles& solid, const std::vector<double>& theta)
     }
 }
 
+// A run whose angles were changed while it went on writes them to its times, and goes on from these with them.
+void warnOfLaterTheta(const std::filesystem::path& casePath)
+{
+    std::string names;
+    for (const TimeFolder& folder : timeFolders(casePath))
+    {
+        if (folder.value > 0 && std::filesystem::exists(folder.path/"solid/theta")) names += (names.empty() ? "" : ", ") + folder.name;
+    }
+    if (names.empty()) return;
+    warning
+    (
+        "Later times hold contact angles of their own, which a run that starts there takes, and what looks at them: " + names
+      + ".\n    Remove their solid/theta, or the times, if those of 0 shall count there"
+    );
+}
+
 void run(const Arguments& args)
 {
     const std::filesystem::path& casePath = args.casePath();
@@ -68,6 +85,7 @@ void run(const Arguments& args)
     report(solid, theta);
     writeTheta(casePath/"0", theta, format);
     std::cout << "Wrote 0/solid/theta\n";
+    warnOfLaterTheta(casePath);
 }
 
 }
