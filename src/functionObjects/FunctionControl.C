@@ -29,9 +29,13 @@ FunctionControl::FunctionControl
 
 bool FunctionControl::due(const Time& time)
 {
+    return mayBeDue(time) && (control_ != "writeTime" || ++writes_ % long(schedule_.interval) == 0);
+}
+
+bool FunctionControl::mayBeDue(const Time& time) const
+{
     if (control_ == "onEnd") return !time.running();
-    if (control_ != "writeTime") return time.due(schedule_);
-    return time.writeDue() && ++writes_ % long(schedule_.interval) == 0;
+    return control_ == "writeTime" ? time.writeDue() : time.due(schedule_);
 }
 
 }

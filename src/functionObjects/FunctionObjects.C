@@ -59,6 +59,12 @@ FunctionObjects::FunctionObjects(const Time& time, double spacing, bool enabled)
     for (Entry& entry : entries_) entry.object->connect(*this);
 }
 
+bool FunctionObjects::lookAtDensities(const Time& time) const
+{
+    const auto looks = [&](const Entry& entry) { return entry.object->looksAtDensities() && entry.executeControl.mayBeDue(time); };
+    return std::any_of(entries_.begin(), entries_.end(), looks);
+}
+
 void FunctionObjects::execute(FlowView& flow)
 {
     for (Entry& entry : entries_)

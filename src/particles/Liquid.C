@@ -44,7 +44,7 @@ Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)
         .name = "U", .dimensions = dimensions::velocity, .written = true, .restarted = true, .exchanged = true
     })),
     predicted(fields().add<Vec3>({.name = "predicted", .dimensions = dimensions::length, .exchanged = true})),
-    density(fields().add<scalar>({.name = "densityRatio", .dimensions = dimensions::none, .sorted = false, .written = true})),
+    density(fields().add<scalar>({.name = "densityRatio", .dimensions = dimensions::none, .written = true})),
     id(fields().add<std::uint32_t>({.name = "id", .dimensions = dimensions::none, .written = true, .restarted = true})),
     properties_(properties),
     units_(Units::near(properties.spacing, properties.characteristicTime(), properties.particleMass())),

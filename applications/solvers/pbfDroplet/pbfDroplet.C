@@ -91,12 +91,13 @@ void pbfDroplet(const Arguments& args)
             subStep(dt);
             if (step + 1 < steps.count) meter.watch(liquid);
         }
+        flow.moved(steps.dt);
+        if (time.reportDue() || functions.lookAtDensities(time)) flow.liquid();
         meter.ask(liquid);
         subStep.begin(dt);                              // mostly the next one is as long
         speeds = meter.take(liquid);
         refuseDivergence(time, steps, liquid.properties().spacing, speeds, writer);
 
-        flow.moved(steps.dt);
         functions.execute(flow);
         stopWhereAsked(time, functions);
         if (time.reportDue()) reportStep(steps, flow);

@@ -47,6 +47,7 @@ public:
         }
     }
 
+    bool looksAtDensities() const override { return false; }
     const CsvFile* table() const override { return &table_; }
 
 private:

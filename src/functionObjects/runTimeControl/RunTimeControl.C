@@ -126,6 +126,7 @@ public:
         }
     }
 
+    bool looksAtDensities() const override { return false; }
     std::string reasonToEnd() const override { return reason_; }
 
 private:

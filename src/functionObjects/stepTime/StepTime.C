@@ -41,6 +41,7 @@ public:
         last_ = Clock::now();
     }
 
+    bool looksAtDensities() const override { return false; }
     const CsvFile* table() const override { return &table_; }
 
     WriteJob writing() override

@@ -42,6 +42,7 @@ public:
         table_.addRow(row);
     }
 
+    bool looksAtDensities() const override { return crowded_; }
     const CsvFile* table() const override { return &table_; }
 
 private:

@@ -15,14 +15,7 @@ struct StoreDensity
     HOST_DEVICE void operator()(int i) const { density[i] = densityOf(i); }
 };
 
-}
-
-void computeDensity(Liquid& liquid, const Neighbourhood& near, const Walls& walls)
-{
-    computeDensity(liquid, liquid.predicted, near, walls);
-}
-
-void computeDensity(Liquid& liquid, const Buffer<Vec3>& at, const Neighbourhood& near, const Walls& walls)
+void store(const Liquid& liquid, const Buffer<Vec3>& at, const Neighbourhood& near, const Walls& walls, Buffer<scalar>& density)
 {
     std::visit
     (
@@ -32,10 +25,32 @@ void computeDensity(Liquid& liquid, const Buffer<Vec3>& at, const Neighbourhood&
             {
                 W, liquid.particleVolume() / liquid.latticeSum(), at.span(), near.view(), walls.view()
             };
-            forEach(liquid.owned(), StoreDensity<Kernel>{densityOf, liquid.density.span()});
+            forEach(liquid.owned(), StoreDensity<Kernel>{densityOf, density.span()});
         },
         liquid.kernel()
     );
+}
+
+}
+
+void computeDensity(Liquid& liquid, const Neighbourhood& near, const Walls& walls)
+{
+    computeDensity(liquid, liquid.predicted, near, walls);
+}
+
+void computeDensity(Liquid& liquid, const Buffer<Vec3>& at, const Neighbourhood& near, const Walls& walls)
+{
+    store(liquid, at, near, walls, liquid.density);
+}
+
+Buffer<scalar>& requirePredictedDensity(Liquid& liquid)
+{
+    return liquid.fields().require<scalar>({.name = "predictedDensity", .dimensions = dimensions::none, .sorted = false});
+}
+
+void computePredictedDensity(const Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<scalar>& density)
+{
+    store(liquid, liquid.predicted, near, walls, density);
 }
 
 }

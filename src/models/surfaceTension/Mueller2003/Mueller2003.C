@@ -65,6 +65,7 @@ public:
     Mueller2003(const Dictionary& coeffs, Liquid& liquid, Walls&, FreeSurface&)
     :
         W_(liquid.support()),
+        density_(requirePredictedDensity(liquid)),
         sigma_(liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension))
     {
         const double threshold = coeffs.lookupOr("threshold", 0.3);
@@ -78,16 +79,17 @@ public:
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
-        computeDensity(liquid, near, walls);
+        computePredictedDensity(liquid, near, walls, density_);
         forEach(liquid.owned(), ColourForce
         {
             W_, liquid.particleVolume(), sigma_, liquid.restDensity(), least_, liquid.predicted.span(),
-            liquid.density.span(), near.view(), acceleration.span()
+            density_.span(), near.view(), acceleration.span()
         });
     }
 
 private:
     Poly6 W_;
+    Buffer<scalar>& density_;
     scalar sigma_, least_ = 0;
 };
 

@@ -100,14 +100,15 @@ PairTension::PairTension(const Dictionary& coeffs, Liquid& liquid, Walls& walls,
     normal_(liquid.fields().require<Vec3>
     ({
         .name = "normal", .dimensions = dimensions::none, .sorted = false, .written = false, .exchanged = true
-    }))
+    })),
+    density_(requirePredictedDensity(liquid))
 {
     if (wallNormals == WallNormals::yes) walls.requireContactAngles();
 }
 
 void PairTension::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration)
 {
-    computeDensity(liquid, near, walls);
+    computePredictedDensity(liquid, near, walls, density_);
     std::visit
     (
         [&]<class Kernel>(const Kernel& W)
@@ -115,7 +116,7 @@ void PairTension::apply(Liquid& liquid, const Neighbourhood& near, const Walls& 
             forEach(liquid.owned(), Normal<Kernel>
             {
                 W, liquid.particleVolume(), wallNormals_ == WallNormals::yes, liquid.predicted.span(),
-                liquid.density.span(), near.view(), walls.view(), normal_.span()
+                density_.span(), near.view(), walls.view(), normal_.span()
             });
         },
         liquid.kernel()
@@ -123,7 +124,7 @@ void PairTension::apply(Liquid& liquid, const Neighbourhood& near, const Walls& 
     forEach(liquid.owned(), PairForce
     {
         {liquid.support()}, coefficients_.cohesion * liquid.particleMass(), coefficients_.area,
-        liquid.predicted.span(), normal_.span(), liquid.density.span(), near.view(), acceleration.span()
+        liquid.predicted.span(), normal_.span(), density_.span(), near.view(), acceleration.span()
     });
 }
 

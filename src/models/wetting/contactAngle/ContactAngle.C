@@ -11,6 +11,7 @@
 //     wetting             contactAngle;
 //     contactAngleCoeffs  { solidNormal SPH; }
 
+#include "models/density/Density.H"
 #include "models/surfaceTension/pairTension/CohesionSpline.H"
 #include "models/wetting/Wetting.H"
 
@@ -93,7 +94,8 @@ public:
     :
         gamma_(requirePairCoefficients(tension, coeffs)),
         solidNormal_(coeffs.lookupChoiceOr("solidNormal", {"SPH", "wall", "zero"}, "SPH")),
-        normal_(liquid.fields().require<Vec3>({.name = "normal", .dimensions = dimensions::none, .sorted = false}))
+        normal_(liquid.fields().require<Vec3>({.name = "normal", .dimensions = dimensions::none, .sorted = false})),
+        density_(requirePredictedDensity(liquid))
     {
         walls.requireContactAngles();
     }
@@ -114,9 +116,9 @@ public:
                     {liquid.support()}, gamma_, liquid.restDensity(), liquid.spacing(),
                     {
                         choice, W, liquid.particleVolume(), near.grid().view(), liquid.predicted.span(),
-                        liquid.density.span()
+                        density_.span()
                     },
-                    liquid.predicted.span(), normal_.span(), liquid.density.span(), walls.view(), acceleration.span()
+                    liquid.predicted.span(), normal_.span(), density_.span(), walls.view(), acceleration.span()
                 });
             },
             liquid.kernel()
@@ -127,6 +129,7 @@ private:
     PairCoefficients gamma_;
     std::string solidNormal_;
     Buffer<Vec3>& normal_;
+    Buffer<scalar>& density_;               // computed by the tension
 };
 
 const WettingTable::Add<ContactAngle> registered{"contactAngle"};
