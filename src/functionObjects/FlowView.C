@@ -16,9 +16,14 @@ FlowView::FlowView
 
 const Liquid& FlowView::liquid()
 {
+    computeDensities();
+    return liquid_;
+}
+
+void FlowView::computeDensities()
+{
     if (densityIsDue_) computeDensity(liquid_, liquid_.position, near, walls);
     densityIsDue_ = false;
-    return liquid_;
 }
 
 const LiquidState& FlowView::state()

@@ -1,7 +1,6 @@
 #include "walls/Walls.H"
 
 #include "core/angles/Degrees.H"
-#include "core/fieldFile/FieldFile.H"
 #include "core/time/Time.H"
 #include "device/ForEach.H"
 #include "geometry/AnalyticSurface.H"
@@ -154,13 +153,8 @@ WallAngles Walls::readAngles() const
                 "run sampleTheta first"
             );
         }
-        const auto file = folder / "solid/theta";
-        const FieldData theta = readField(file, FieldType::scalar, dimensions::none, particles());
-        for (int k = 0; k < particles(); ++k)
-        {
-            refuseUnlessAngle(theta(k), {file.string(), 0});
-            angles.particles.push_back(theta(k));
-        }
+        angles.particles = readTheta(folder, particles());
+        for (const double theta : angles.particles) refuseUnlessAngle(theta, {(folder / "solid/theta").string(), 0});
     }
     if (surfaces_.count > 0)
     {

@@ -92,7 +92,7 @@ void pbfDroplet(const Arguments& args)
             if (step + 1 < steps.count) meter.watch(liquid);
         }
         flow.moved(steps.dt);
-        if (time.reportDue() || functions.lookAtDensities(time)) flow.liquid();
+        if (time.reportDue() || functions.lookAtDensities(time)) flow.computeDensities();
         meter.ask(liquid);
         subStep.begin(dt);                              // mostly the next one is as long
         speeds = meter.take(liquid);
@@ -105,7 +105,11 @@ void pbfDroplet(const Arguments& args)
         {
             const auto particles = fields.copy(flow.liquid(), liquid.units(), time.format());
             const auto theta = changes.writingTheta(time.format());
-            writer.add(time.writing([=](const std::filesystem::path& folder) { particles(folder), theta(folder); }));
+            writer.add(time.writing([=](const std::filesystem::path& folder)
+            {
+                particles(folder);
+                theta(folder);
+            }));
         }
         functions.write(time, writer);
         writer.start();

@@ -45,12 +45,9 @@ DropMeasurement::DropMeasurement
     wall_(makeWallShape(walls_, controls.wall, spacing)), prescribed_(casePath, walls_, controls.wall), case_(casePath)
 {}
 
-void DropMeasurement::readCase(double time) { readCase(time, {}); }
-
-void DropMeasurement::readCase(double time, const std::vector<double>& theta)
+void DropMeasurement::readCase(double time, const std::vector<double>& inForce)
 {
-    if (theta.empty()) prescribed_.read(time);
-    else prescribed_.take(theta);
+    prescribed_.read(time, inForce);
     gravity_ = caseGravity(case_);
     density_ = densityOf(case_);
 }

@@ -1,20 +1,11 @@
 #include "geometry/drops/PrescribedAngle.H"
 
 #include "core/dictionary/Dictionary.H"
-#include "core/fieldFile/FieldFile.H"
 #include "core/time/Time.H"
-
-#include <limits>
+#include "geometry/thetaModels/ThetaField.H"
 
 namespace shizuku
 {
-
-namespace
-{
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-}
 
 PrescribedAngle::PrescribedAngle
 (
@@ -28,33 +19,24 @@ PrescribedAngle::PrescribedAngle
     }
 }
 
-void PrescribedAngle::read(double time)
+void PrescribedAngle::read(double time, const std::vector<double>& inForce)
 {
-    theta_.clear();
-    if (patch_ < 0) return readWall();
+    wallTheta_ = none;
+    if (patch_ < 0)
+    {
+        const auto file = case_/"constant/wettability";
+        if (std::filesystem::exists(file)) wallTheta_ = Dictionary::read(file).subDictOrEmpty(wall_).lookupOr<double>("theta", none);
+        return;
+    }
+    theta_ = inForce;
+    if (!theta_.empty()) return;
     const auto instance = findInstance(case_, time, "solid/theta");
-    if (instance.empty()) return;
-    const std::size_t count = walls_.solid.positions.size();
-    const FieldData field = readField(instance/"solid/theta", FieldType::scalar, dimensions::none, long(count));
-    for (std::size_t i = 0; i < count; ++i) theta_.push_back(field(i));
-}
-
-void PrescribedAngle::take(const std::vector<double>& theta)
-{
-    if (patch_ < 0) return readWall();
-    theta_ = theta;
-}
-
-void PrescribedAngle::readWall()
-{
-    const auto file = case_/"constant/wettability";
-    wallTheta_.reset();
-    if (std::filesystem::exists(file)) wallTheta_ = Dictionary::read(file).subDictOrEmpty(wall_).lookupOr<double>("theta", none);
+    if (!instance.empty()) theta_ = readTheta(instance, walls_.solid.positions.size());
 }
 
 double PrescribedAngle::below(const Vector3& foot, double radius, const Vector3& normal) const
 {
-    if (theta_.empty()) return wallTheta_.value_or(none);
+    if (theta_.empty()) return wallTheta_;
     const SolidParticles& solid = walls_.solid;
     double sum = 0;
     long count = 0;

@@ -133,17 +133,17 @@ bool knowsAllTypes(const Dictionary& wettability)
 std::string difference(const std::vector<double>& theta, const std::filesystem::path& folder)
 {
     constexpr double digits = 1e-3;         // degrees
-    const FieldData written = readField(folder/"solid/theta", FieldType::scalar, dimensions::none, long(theta.size()));
+    const std::vector<double> written = readTheta(folder, theta.size());
     std::size_t others = 0, first = 0;
     for (std::size_t i = 0; i < theta.size(); ++i)
     {
-        if (std::abs(theta[i] - written(i)) <= digits) continue;
+        if (std::abs(theta[i] - written[i]) <= digits) continue;
         if (others++ == 0) first = i;
     }
     if (others == 0) return "";
     std::ostringstream text;
     text << "constant/wettability gives " << others << " of " << theta.size() << " solid particles other contact angles than "
-         << (folder/"solid/theta").string() << " has, which is what counts: " << theta[first] << " degrees instead of " << written(first)
+         << (folder/"solid/theta").string() << " has, which is what counts: " << theta[first] << " degrees instead of " << written[first]
          << "\nExpected: the same angles in both; sampleTheta writes those of constant/wettability to 0/solid/theta";
     return text.str();
 }
@@ -161,6 +161,14 @@ std::string otherTheta(const std::filesystem::path& casePath, const std::filesys
     {
         return std::string(error.what()) + "\nThe contact angles of " + (folder/"solid/theta").string() + " stay in force";
     }
+}
+
+std::vector<double> readTheta(const std::filesystem::path& folder, std::size_t particles)
+{
+    const FieldData field = readField(folder/"solid/theta", FieldType::scalar, dimensions::none, long(particles));
+    std::vector<double> theta(particles);
+    for (std::size_t i = 0; i < particles; ++i) theta[i] = field(i);
+    return theta;
 }
 
 void writeTheta(const std::filesystem::path& folder, const std::vector<double>& theta, const WriteFormat& format)

@@ -1,7 +1,7 @@
 #include "FloorPattern.H"
 
-#include "core/fieldFile/FieldFile.H"
 #include "geometry/SolidParticles.H"
+#include "geometry/thetaModels/ThetaField.H"
 
 #include <algorithm>
 
@@ -14,16 +14,15 @@ void addFloorPattern(PictureScene& scene, const std::filesystem::path& casePath,
     const auto folder = findInstance(casePath, time.value, "solid/theta");
     if (folder.empty()) return;
     const SolidParticles solid = readSolidParticles(casePath);
-    const long count = long(solid.positions.size());
-    const FieldData theta = readField(folder/"solid/theta", FieldType::scalar, dimensions::none, count);
+    const std::vector<double> theta = readTheta(folder, solid.positions.size());
     const Vector3& n = scene.floor->normal;
-    for (long i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < theta.size(); ++i)
     {
         const double height = dot(solid.positions[i] - scene.floor->point, n);
         if (std::abs(height) > scene.spacing || dot(solid.normals[i], n) < 0.9) continue;
         const double above = 0.02*scene.spacing;            // so that the floor does not hide it
         scene.pattern.push_back(solid.positions[i] + (above - height)*n);
-        scene.theta.push_back(theta(std::size_t(i)));
+        scene.theta.push_back(theta[i]);
     }
     if (std::adjacent_find(scene.theta.begin(), scene.theta.end(), std::not_equal_to<>()) == scene.theta.end())
     {
