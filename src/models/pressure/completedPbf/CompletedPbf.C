@@ -157,12 +157,13 @@ public:
         iterations_ = 0;
         const scalar more = controls_.tolerance > 0 ? std::sqrt(std::max(scalar(1), capillarySteps(dt))) : 1;
         limits_.maxIterations = int(std::lround(controls_.maxIterations * more));
+        steady_.begin(limits_);
         dt_ = dt;
     }
 
     bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        if (iterations_ >= limits_.maxIterations || liquid.owned() == 0) return false;
+        if (steady_.enough(iterations_) || liquid.owned() == 0) return false;
         if (!extended_)
         {
             extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
@@ -182,7 +183,7 @@ public:
             raisePressure(liquid, near, walls, stress(liquid));
         }
         else raisePressure(liquid, near, walls, NoOrderStress{});
-        return steady_.wantAnother(liquid, limits_, iterations_);
+        return steady_.another(liquid, limits_, iterations_);
     }
 
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
@@ -214,6 +215,7 @@ public:
     void forget() override
     {
         takeDisplacement();
+        steady_.forget();
         pressure_.setZero();
     }
 

@@ -417,20 +417,44 @@ TEST(CompletedPbf, HasThePressureOfWhatItDisplacedBy)
 }
 
 // What a step needed that was too dense is given back by calm ones, an iteration a step, down to the least: also after a step
-// that made as many as are allowed.
+// that made as many as are allowed. A step does not know of its own liquid: the first calm one makes as many as the dense one.
 TEST(CompletedPbf, TakesFewerIterationsWhereLittleIsLeft)
 {
-    LiquidCase drop;
-    const auto pressure = makePressure(drop, "completedPbf", "minIterations 1; maxIterations 4; tolerance 0.05;");
-    drop.place(latticeBlock(8, 8, 8, 0.8f));
-    EXPECT_EQ(iterate(*pressure, drop, 0.02f), 4);
-    std::vector<int> made;
-    for (int step = 0; step < 4; ++step)
+    for (const int least : {0, 1})
     {
-        drop.place(latticeBlock(8, 8, 8, 1.05f));
-        made.push_back(iterate(*pressure, drop, 0.02f));
+        LiquidCase drop;
+        const std::string controls = "minIterations " + std::to_string(least) + "; maxIterations 4; tolerance 0.05;";
+        const auto pressure = makePressure(drop, "completedPbf", controls);
+        drop.place(latticeBlock(8, 8, 8, 0.8f));
+        EXPECT_EQ(iterate(*pressure, drop, 0.02f), 4);
+        std::vector<int> made;
+        for (int step = 0; step < 6; ++step)
+        {
+            drop.place(latticeBlock(8, 8, 8, 1.05f));
+            made.push_back(iterate(*pressure, drop, 0.02f));
+        }
+        EXPECT_EQ(made, (std::vector<int>{4, 3, 2, 1, least, least}));
     }
-    EXPECT_EQ(made, (std::vector<int>{3, 2, 1, 1}));
+}
+
+// And dense liquid behind calm one gets an iteration more each step, up to the most: also where calm steps make none.
+TEST(CompletedPbf, TakesMoreIterationsWhereMuchIsLeft)
+{
+    for (const int least : {0, 1})
+    {
+        LiquidCase drop;
+        const std::string controls = "minIterations " + std::to_string(least) + "; maxIterations 4; tolerance 0.05;";
+        const auto pressure = makePressure(drop, "completedPbf", controls);
+        drop.place(latticeBlock(8, 8, 8, 1.05f));
+        EXPECT_EQ(iterate(*pressure, drop, 0.02f), least);
+        std::vector<int> made;
+        for (int step = 0; step < 6; ++step)
+        {
+            drop.place(latticeBlock(8, 8, 8, 0.8f));
+            made.push_back(iterate(*pressure, drop, 0.02f));
+        }
+        EXPECT_EQ(made, least == 0 ? (std::vector<int>{0, 1, 2, 3, 4, 4}) : (std::vector<int>{1, 2, 3, 4, 4, 4}));
+    }
 }
 
 // Compressed by nine percent on the average, which so small corrections hardly change, below the tolerance and above half of it: as
