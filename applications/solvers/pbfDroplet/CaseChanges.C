@@ -64,20 +64,23 @@ bool CaseChanges::apply(const Time& time, Liquid& liquid, Walls& walls, Models& 
 {
     if (!time.modifiable()) return false;
     std::string names;
-    bool wettability = false;
     for (Watched& dictionary : dictionaries_)
     {
         if (!dictionary.file.changed()) continue;
         const std::string name = std::filesystem::relative(dictionary.file.path(), time.casePath()).string();
         names += (names.empty() ? "" : ", ") + name;
-        wettability = wettability || name == wettabilityFile;
+        if (name == wettabilityFile) anew_.wettability = true;
     }
-    const bool theta = theta_ && theta_->changed();
-    if (theta) names += (names.empty() ? "" : ", ") + std::string("solid/theta");
+    if (theta_ && theta_->changed())
+    {
+        names += (names.empty() ? "" : ", ") + std::string("solid/theta");
+        anew_.theta = true;
+    }
     if (names.empty()) return false;
     try
     {
-        make(time, {wettability, theta}, liquid, walls, models);
+        make(time, liquid, walls, models);
+        anew_ = {};
         return true;
     }
     catch (const FatalInputError& error)
@@ -90,7 +93,7 @@ bool CaseChanges::apply(const Time& time, Liquid& liquid, Walls& walls, Models& 
     }
 }
 
-void CaseChanges::make(const Time& time, Anew anew, Liquid& liquid, Walls& walls, Models& models)
+void CaseChanges::make(const Time& time, Liquid& liquid, Walls& walls, Models& models)
 {
     std::vector<Dictionary> now;
     for (const Watched& dictionary : dictionaries_) now.push_back(readOrEmpty(dictionary.file.path()));
@@ -109,8 +112,8 @@ void CaseChanges::make(const Time& time, Anew anew, Liquid& liquid, Walls& walls
     if (formerAngles) angles = walls.readAngles();
     if (angles && walls.particles() > 0)
     {
-        if (anew.wettability) angles->particles = caseTheta(time.casePath());
-        else if (!anew.theta) angles->particles = formerAngles->particles;
+        if (anew_.wettability) angles->particles = caseTheta(time.casePath());
+        else if (!anew_.theta) angles->particles = formerAngles->particles;
     }
 
     // The models are made with the new values in force, and nothing stays of these where a model cannot be made.

@@ -173,6 +173,32 @@ TEST_P(Changes, ofAnglesOutlastOtherChangesAndTheRun)
     EXPECT_TRUE(holds(sampled.text, {"WARNING: Later times hold contact angles of their own", timeAfter(all)})) << sampled.text;
 }
 
+// An edit that was left out because another file was wrong acts once that one is mended.
+TEST_P(Changes, waitForAnotherFileToBeMended)
+{
+    begin("runTimeModifiable yes;");
+    Process process(command("pbfDroplet", ""), folder_.path()/"log");
+    const auto answered = [&](const std::string& answer)
+    {
+        return process.runUntil([&] { return process.log().find(answer) != std::string::npos; });
+    };
+    ASSERT_TRUE(process.runUntil([&] { return stepsOf(process.log()).size() > 2; })) << process.log();
+    write("constant/g", "value (0 0 fast);\n");
+    ASSERT_TRUE(answered("The change of constant/g is left out")) << process.log();
+    write("constant/wettability", "floor { theta 120; }\nside { theta 90; }\n");
+    ASSERT_TRUE(answered("The change of constant/wettability is left out")) << process.log();
+    write("constant/g", "value (0 0 -5);\n");
+    ASSERT_TRUE(answered(made)) << process.log();
+    begin("runTimeModifiable yes; stopAt writeNow;");
+    ASSERT_EQ(process.wait(), 0) << process.log();
+    EXPECT_TRUE(holds
+    (
+        process.log(),
+        {"constant/g: value: (0 0 -9.81) -> (0 0 -5)\n", "floor.theta: 60 -> 120\n", "solid/theta: 60 -> 120 degrees\n"}
+    )) << process.log();
+    EXPECT_EQ(thetaOf(timeAfter(stepsOf(process.log()).size()))(0), 120);
+}
+
 // A wrong edit is left out, each with its reason: the run ends as one that nobody touched.
 TEST_P(Changes, thatAreWrongAreLeftOut)
 {
