@@ -15,6 +15,7 @@ set(SHIZUKU_DEVICE_TESTS
     functionObjects/TestRunTimeControl.C
     maths/TestKernel.C
     maths/TestPackedDeviator.C
+    maths/TestSymmTensor.C
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C
     models/density/TestDensity.C
@@ -56,6 +57,7 @@ set(SHIZUKU_DEVICE_TESTS
     stepping/TestSubStep.C
     surface/TestLiquidSurface.C
     surface/TestMarchingCubesTable.C
+    surface/TestPencil.C
     walls/TestHalfSpace.C
     walls/TestWallSurface.C
     walls/TestWallView.C

@@ -8,6 +8,7 @@
 #include "surface/NodeRows.H"
 #include "surface/NodeValues.H"
 #include "surface/PlaceVertices.H"
+#include "surface/WeighParticles.H"
 
 namespace shizuku
 {
@@ -23,6 +24,16 @@ scalar volumeOf(scalar spacing, const CubicSpline& W)
 {
     const scalar sum = latticeSum(spacing, W.h, [&W](scalar r) { return W.W(r); });
     return spacing * spacing * spacing / sum;
+}
+
+// Of W, over a square lattice around one of its points.
+scalar layerSum(scalar spacing, const CubicSpline& W)
+{
+    const int n = int(W.h / spacing) + 1;
+    double sum = 0;
+    for (int i = -n; i <= n; ++i)
+        for (int j = -n; j <= n; ++j) sum += W.W(spacing * std::sqrt(scalar(i * i + j * j)));
+    return scalar(sum);
 }
 
 struct CountCrossings
@@ -128,7 +139,7 @@ LiquidSurface::LiquidSurface(const SurfaceParameters& parameters)
 :
     kernel_(parameters.support), wideKernel_(wideSupport * parameters.support),
     volume_(volumeOf(parameters.spacing, kernel_)), wideVolume_(volumeOf(parameters.spacing, wideKernel_)),
-    moments_(momentsOf(kernel_)), wideMoments_(momentsOf(wideKernel_)),
+    wideMoments_(momentsOf(wideKernel_)), layer_(volume_ * layerSum(parameters.spacing, kernel_)),
     refines_(4 * parameters.cell <= parameters.support),
     grid_(kernel_.h, 2 * kernel_.h),
     blocks_(parameters.cell, parameters.support + parameters.cell),
@@ -144,7 +155,8 @@ void LiquidSurface::build(Span<const Vec3> positions)
     if (positions.size == 0) return;
 
     blocks_.collect(positions);
-    gather(positions, grid_.build(positions, positions.size), particles_);
+    gather(positions, grid_.build(positions, positions.size), sorted_);
+    weighParticles();
     blocks_.store(positions);
     evaluateNodes();
     countCrossings();
@@ -164,6 +176,12 @@ double LiquidSurface::volume()
 int LiquidSurface::particlesOutside()
 {
     return int(reduce(particles_.size(), CountOutside{indicator()}, scratch_).value);
+}
+
+void LiquidSurface::weighParticles()
+{
+    particles_.resizeDiscarding(sorted_.size());
+    forEach(sorted_.size(), WeighParticles{indicatorOf(sorted_), layer_, particles_.span()});
 }
 
 void LiquidSurface::evaluateNodes()
@@ -208,8 +226,7 @@ void LiquidSurface::placeVertices()
         vertices_.size(),
         PlaceVertices
         {
-            blocks_.view(), value_.span(), indicator(), wideKernel_, wideVolume_,
-            moments_, wideMoments_, meanSquares / 24 * blocks_.view().cell * blocks_.view().cell,
+            blocks_.view(), value_.span(), indicator(), wideKernel_, wideVolume_, wideMoments_, meanSquares / 24 * blocks_.view().cell * blocks_.view().cell,
             edges_.span(), vertices_.span(), normals_.span()
         }
     );
