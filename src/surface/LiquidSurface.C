@@ -181,7 +181,7 @@ int LiquidSurface::particlesOutside()
 void LiquidSurface::weighParticles()
 {
     particles_.resizeDiscarding(sorted_.size());
-    forEach(sorted_.size(), WeighParticles{indicatorOf(sorted_), layer_, particles_.span()});
+    forEachTeam(sorted_.size(), WeighParticles{indicatorOf(sorted_), layer_, particles_.span()});
 }
 
 void LiquidSurface::evaluateNodes()
