@@ -226,7 +226,8 @@ void LiquidSurface::placeVertices()
         vertices_.size(),
         PlaceVertices
         {
-            blocks_.view(), value_.span(), indicator(), wideKernel_, wideVolume_, wideMoments_, meanSquares / 24 * blocks_.view().cell * blocks_.view().cell,
+            blocks_.view(), value_.span(), indicator(), wideKernel_, wideVolume_, wideMoments_,
+            meanSquares / 24 * blocks_.view().cell * blocks_.view().cell,
             edges_.span(), vertices_.span(), normals_.span()
         }
     );
