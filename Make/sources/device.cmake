@@ -45,6 +45,8 @@ set(SHIZUKU_DEVICE_SOURCES
     models/surfaceTension/pairTension/PairTension.C
     models/surfaceTension/continuumSurfaceForce/ContinuumSurfaceForce.C
     models/surfaceTension/continuumSurfaceForce/SurfaceLayer.C
+    models/surfaceTension/laplacePressure/LaplacePressure.C
+    models/surfaceTension/surfaceCurvature/SurfaceCurvature.C
     models/surfaceTension/Akinci2013/Akinci2013.C
     models/surfaceTension/Becker2007/Becker2007.C
     models/surfaceTension/Fujisawa2014/Fujisawa2014.C

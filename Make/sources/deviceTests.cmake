@@ -30,6 +30,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/pressure/completedPbf/TestCompletedPbf.C
     models/pressure/completedPbf/TestGridPoisson.C
     models/pressure/completedPbf/TestOrderStress.C
+    models/pressure/completedPbf/TestTangentialGradient.C
     models/pressure/idealGas/TestIdealGas.C
     models/pressure/pbf/TestPbf.C
     models/surfaceTension/Becker2007/TestBecker2007.C
@@ -38,6 +39,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/surfaceTension/Tartakovsky2005/TestTartakovsky2005.C
     models/surfaceTension/TestMomentum.C
     models/surfaceTension/continuumSurfaceForce/TestContinuumSurfaceForce.C
+    models/surfaceTension/laplacePressure/TestLaplacePressure.C
     models/surfaceTension/pairTension/TestCohesionSpline.C
     models/surfaceTension/pairTension/TestPairTension.C
     models/viscosity/TestMomentum.C

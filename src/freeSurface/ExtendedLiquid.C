@@ -68,6 +68,7 @@ struct Integrate
     MarginalView marginal;
     scalar firstAngle, angleStep;
     Span<const scalar> weight;
+    WedgePart part;
     Span<WedgeIntegrals> table;
 
     HOST_DEVICE void operator()(int entry) const
@@ -95,6 +96,7 @@ struct Integrate
             for (int j = 0; j < n; ++j)
             {
                 const scalar along = from + (to - from) * (scalar(j) + 0.5f) / n;
+                if (part == WedgePart::ahead && cosine * along <= sine * below) continue;
                 const Marginal m = marginal(sqrt(along * along + below * below));
                 const scalar share = valueAt(weight, depth - along * sine) * area;
                 value += m.value * share;
@@ -108,7 +110,10 @@ struct Integrate
 
 }
 
-ExtendedLiquid::ExtendedLiquid(const KernelChoice& kernel, std::pair<double, double> theta, const std::vector<scalar>& weight)
+ExtendedLiquid::ExtendedLiquid
+(
+    const KernelChoice& kernel, std::pair<double, double> theta, const std::vector<scalar>& weight, WedgePart part
+)
 {
     const auto [smallestTheta, largestTheta] = theta;
     constexpr double widest = 5;
@@ -120,7 +125,7 @@ ExtendedLiquid::ExtendedLiquid(const KernelChoice& kernel, std::pair<double, dou
     const Buffer<Marginal> marginals(tabulateMarginals(kernel));
     const Buffer<scalar> weights(weight);
     table_.resize(angles_ * (ExtendedLiquidView::distances + 1) * (ExtendedLiquidView::depths + 1));
-    forEach(table_.size(), Integrate{{marginals.span()}, firstAngle_, angleStep_, weights.span(), table_.span()});
+    forEach(table_.size(), Integrate{{marginals.span()}, firstAngle_, angleStep_, weights.span(), part, table_.span()});
     synchronize();                          // marginals and weights go out of scope
 }
 

@@ -48,9 +48,12 @@ struct Sums
 double all(double) { return 1; }
 
 // Midpoint sums of a kernel with support 1 over y - x = u t + v (n x t) + w n on one side of the wall, weighted by the depth; the limits
-// of u are exact.
+// of u are exact. part: of the wedge.
 template<class Kernel>
-Sums bruteForce(double theta, double z, double s, Side side, double (*weight)(double depth) = all)
+Sums bruteForce
+(
+    double theta, double z, double s, Side side, double (*weight)(double depth) = all, WedgePart part = WedgePart::whole
+)
 {
     constexpr int n = 40;
     const Reference<Kernel> W{1};
@@ -71,7 +74,9 @@ Sums bruteForce(double theta, double z, double s, Side side, double (*weight)(do
             const double volume = (high - low) / n * 2 * width / n * (to - from) / n;
             for (int c = 0; c < n; ++c)
             {
-                const double u = from + (to - from) * (c + 0.5) / n, r = std::sqrt(u * u + v * v + w * w);
+                const double u = from + (to - from) * (c + 0.5) / n;
+                if (part == WedgePart::ahead && u * cosine <= w * sine) continue;
+                const double r = std::sqrt(u * u + v * v + w * w);
                 const double slope = W.slope(r), share = volume * weight(s - u * sine - w * cosine);
                 sums.value += share * W.W(r);
                 sums.tangential -= share * slope / r * u;
@@ -254,4 +259,29 @@ TYPED_TEST(ExtendedLiquidOf, WeighsByDepth)
                 EXPECT_NEAR(found.tangential, expected.tangential, gradient) << theta << " " << z << " " << s;
                 EXPECT_NEAR(found.normal, expected.normal, gradient) << theta << " " << z << " " << s;
             }
+}
+
+// What lies ahead alone: the sums are cut in the middle of intervals, of 1/48 and 1/40, and lose or gain half of one; of a right angle, where all is
+// ahead, nothing is cut.
+TYPED_TEST(ExtendedLiquidOf, LeavesOutWhatDoesNotLieAhead)
+{
+    const Table ahead(ExtendedLiquid(TypeParam(1.7f), {0, 150}, {1, 1}, WedgePart::ahead));
+    for (const double theta : {0.0, 30.0, 60.0, 90.0, 150.0})
+    {
+        for (const double z : {0.0, 3 / 24.0, 12 / 24.0})
+        {
+            const WedgeIntegrals found = ahead(theta, z, 5 / 24.0);
+            const Sums expected = bruteForce<TypeParam>(theta, z, 5 / 24.0, Side::wall, all, WedgePart::ahead);
+            const double gradient = 0.02 * steepest<TypeParam>();
+            EXPECT_NEAR(found.value, expected.value, 0.02) << theta << " " << z;
+            EXPECT_NEAR(found.tangential, expected.tangential, gradient) << theta << " " << z;
+            EXPECT_NEAR(found.normal, expected.normal, gradient) << theta << " " << z;
+            if (theta != 90) continue;
+            const WedgeIntegrals whole = this->table(theta, z, 5 / 24.0);
+            EXPECT_NEAR(found.value, whole.value, 1e-6) << z;
+            EXPECT_NEAR(found.tangential, whole.tangential, 1e-5) << z;
+        }
+    }
+    // The whole wedge of 0 degrees has as much on either side.
+    EXPECT_GT(ahead(0, 3 / 24.0, 0).tangential, 0.1 * steepest<TypeParam>());
 }

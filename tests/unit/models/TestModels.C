@@ -35,7 +35,7 @@ Dictionary choosing(const std::string& keyword, const std::string& word)
 TEST(Models, HaveTheirWords)
 {
     EXPECT_EQ(PressureTable::words(), (Words{"Clavet2005", "DFSPH", "PCISPH", "WCSPH", "completedPbf", "idealGas", "none", "pbf"}));
-    EXPECT_EQ(SurfaceTensionTable::words(), (Words{"Akinci2013", "Becker2007", "Fujisawa2014", "Kondo2007", "Mueller2003", "Tartakovsky2005", "continuumSurfaceForce", "none"}));
+    EXPECT_EQ(SurfaceTensionTable::words(), (Words{"Akinci2013", "Becker2007", "Fujisawa2014", "Kondo2007", "Mueller2003", "Tartakovsky2005", "continuumSurfaceForce", "laplacePressure", "none"}));
     EXPECT_EQ(WettingTable::words(), (Words{"Akinci2013", "adhesionRatio", "contactAngle", "extendedSurface", "none"}));
     EXPECT_EQ(ViscosityTable::words(), (Words{"XSPH", "laminar", "none"}));
     EXPECT_EQ(BodyForceTable::words(), (Words{"gravity", "none"}));

@@ -27,6 +27,8 @@
 //     {
 //         ordering        1.2;            // o, from 1 to 4
 //         coarseGrid      no;             // yes: takes compression out over the whole depth at once (CoarseCorrection.H)
+//         alongSurfaces   no;             // yes: completes the pressure's gradient along surfaces and walls (TangentialGradient.H); where
+//                                         // nothing is said it does with surfaceTension laplacePressure
 //     }
 //
 // With coarseGrid the first half of the iterations that are allowed also correct on a grid; the others even out what it leaves.
@@ -39,6 +41,7 @@
 #include "models/pressure/Pressure.H"
 #include "models/pressure/completedPbf/CoarseCorrection.H"
 #include "models/pressure/completedPbf/OrderStress.H"
+#include "models/pressure/completedPbf/TangentialGradient.H"
 #include "models/pressure/shared/PressureControls.H"
 #include "models/pressure/shared/PressureField.H"
 #include "models/pressure/shared/SteadyIterations.H"
@@ -52,7 +55,7 @@ namespace shizuku
 namespace
 {
 
-template<class Kernel, class Stress>
+template<class Kernel, class Stress, class Tangential>
 struct RaisePressure
 {
     static constexpr Holds holds = Holds::more;
@@ -70,6 +73,7 @@ struct RaisePressure
     Span<scalar> density;
     Span<Vec3> push, order;                 // dt^2/rho0 (2 dp grad(walls) + e), dt^2/rho0 e; order may be empty
     Stress stress;
+    Tangential tangential;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
@@ -85,6 +89,7 @@ struct RaisePressure
         const HalfSpaceValues gas = plane(own.depth);
         const Vec3 gradient = sums.gradient + wall.gradient;
         density[i] = (densityVolume * sums.W + wall.value) / (1 - gas.density);
+        if constexpr (Tangential::present) tangential.store(i, x[i], own, gas.density, walls.walls, W.h, wall.value);
 
         const scalar before = Stress::present ? 0 : pressure[i];
         const scalar step = relaxation * (density[i] - 1) / (sums.squares + squared(gradient) + epsilon);
@@ -98,7 +103,7 @@ struct RaisePressure
     }
 };
 
-template<class Kernel, class Stress>
+template<class Kernel, class Stress, class Tangential>
 struct Displace
 {
     static constexpr Holds holds = Stress::present ? Holds::more : Holds::few;
@@ -113,22 +118,30 @@ struct Displace
     Span<scalar> pressure;                  // of what has been displaced by: an increase that was only looked at is not in it
     Span<Vec3> total;
     Stress stress;
+    Tangential tangential;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const Vec3 xi = x[i];
         Team::Vector sum;
+        [[maybe_unused]] typename Tangential::Sum along;
         const auto ownStress = stress[i];
         near.forEach(i, xi, x, [&]([[maybe_unused]] auto j, auto r)
         {
             const auto slope = W.g(norm(r)) * r;
             sum += (r.w + xi.w) * slope;
+            along.add(slope, r.w - xi.w);
             if constexpr (Stress::present) sum -= (stress[j] + ownStress) * slope;
         }, team);
-        const Vec3 step = volume * team.sum(sum);
+        Vec3 step = volume * team.sum(sum), more;
+        if constexpr (Tangential::present)
+        {
+            more = tangential.more(i, volume * team.sum(along.differences));
+            step += more;
+        }
         const Vec3 admitted = stop(i, xi - step - moved[i], team);
         if (!team.first()) return;
-        if (internal.size > 0) total[i] += internal[i];         // which may be what is moved
+        if (internal.size > 0) total[i] += internal[i] + more;  // which may be what is moved
         moved[i] = admitted;
         pressure[i] = (Stress::present ? 0 : pressure[i]) + xi.w / perPressure;
     }
@@ -149,6 +162,8 @@ public:
     {
         refuseIf(!(ordering_ >= 1 && ordering_ <= 4), controls, "ordering", "1 to 4");
         if (controls.lookupOr("coarseGrid", false)) coarse_.emplace(liquid);
+        alongSurfaces_ = controls.lookupOr("alongSurfaces", surface.pressed());
+        surface.setOrdering(ordering_);
         if (!surface.active()) surface.require(liquid, walls, FreeSurface::usualSupport(liquid), 0);
     }
 
@@ -180,9 +195,12 @@ public:
         if (iterations_ == 0)
         {
             stress_.resizeDiscarding(liquid.all());
-            raisePressure(liquid, near, walls, stress(liquid));
+            normals_.resizeDiscarding(alongSurfaces_ ? liquid.all() : 0);
+            wallNormals_.resizeDiscarding(alongSurfaces_ ? liquid.all() : 0);
+            if (alongSurfaces_) raisePressure(liquid, near, walls, stress(liquid), tangential());
+            else raisePressure(liquid, near, walls, stress(liquid), NoTangentialGradient{});
         }
-        else raisePressure(liquid, near, walls, NoOrderStress{});
+        else raisePressure(liquid, near, walls, NoOrderStress{}, NoTangentialGradient{});
         return steady_.another(liquid, limits_, iterations_);
     }
 
@@ -191,12 +209,8 @@ public:
         ++iterations_;
         if (coarse_ && iterations_ == 1) coarse_->begin(liquid, surface_);
         if (coarse_ && iterations_ <= (limits_.maxIterations + 1) / 2) coarse_->apply(liquid);
-        if (iterations_ == 1)
-        {
-            displace(liquid, near, walls, stress(liquid));
-            stress_ = {};
-        }
-        else displace(liquid, near, walls, NoOrderStress{});
+        if (alongSurfaces_) displaceFirstOrOther(liquid, near, walls, tangential());
+        else displaceFirstOrOther(liquid, near, walls, NoTangentialGradient{});
     }
 
     bool stopsAtWalls() const override { return true; }
@@ -205,6 +219,8 @@ public:
     {
         push_ = {};
         order_ = {};
+        normals_ = {};
+        wallNormals_ = {};
         Buffer<Vec3> total = std::move(total_);
         if (iterations_ == 0) return {};
         return {std::move(total), -1};
@@ -227,38 +243,52 @@ private:
     scalar capillarySteps(scalar dt) const { return surface_.suction() > 0 ? dt / capillaryStep_ : 0; }
 
     // The increase of the pressure at the predicted positions.
-    template<class Stress>
-    void raisePressure(Liquid& liquid, const Neighbourhood& near, const Walls& walls, const Stress& stress)
+    template<class Stress, class Tangential>
+    void raisePressure
+    (
+        Liquid& liquid, const Neighbourhood& near, const Walls& walls, const Stress& stress, const Tangential& tangential
+    )
     {
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
                 const scalar V = liquid.particleVolume();
-                forEachTeam(liquid.owned(), RaisePressure<Kernel, Stress>
+                forEachTeam(liquid.owned(), RaisePressure<Kernel, Stress, Tangential>
                 {
                     W, V, V / liquid.latticeSum(), ordering_, controls_.relaxation, controls_.epsilon,
                     dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
                     {extended_->view(), W.h, walls.view()}, surface_.view(), {plane_.span(), W.h},
-                    pressure_.span(), liquid.density.span(), push_.span(), order_.span(), stress
+                    pressure_.span(), liquid.density.span(), push_.span(), order_.span(), stress, tangential
                 });
             },
             liquid.kernel()
         );
     }
 
+    template<class Tangential>
+    void displaceFirstOrOther(Liquid& liquid, const Neighbourhood& near, const Walls& walls, const Tangential& tangential)
+    {
+        if (iterations_ > 1) return displace(liquid, near, walls, NoOrderStress{}, tangential);
+        displace(liquid, near, walls, stress(liquid), tangential);
+        stress_ = {};
+    }
+
     // What it moves the predicted positions by.
-    template<class Stress>
-    void displace(Liquid& liquid, const Neighbourhood& near, const Walls& walls, const Stress& stress)
+    template<class Stress, class Tangential>
+    void displace
+    (
+        Liquid& liquid, const Neighbourhood& near, const Walls& walls, const Stress& stress, const Tangential& tangential
+    )
     {
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                forEachTeam(liquid.owned(), Displace<Kernel, Stress>
+                forEachTeam(liquid.owned(), Displace<Kernel, Stress, Tangential>
                 {
                     W, liquid.particleVolume(), dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
-                    push_.span(), internal(), walls.stop(liquid), pressure_.span(), total_.span(), stress
+                    push_.span(), internal(), walls.stop(liquid), pressure_.span(), total_.span(), stress, tangential
                 });
             },
             liquid.kernel()
@@ -270,6 +300,8 @@ private:
     {
         return {dt_ * dt_ / liquid.restDensity(), 0.5f * liquid.spacing(), stress_.span()};
     }
+
+    TangentialGradient tangential() { return {normals_.span(), wallNormals_.span()}; }
 
     Span<const Vec3> internal() const
     {
@@ -288,7 +320,9 @@ private:
     int iterations_ = 0;
     std::optional<ExtendedLiquid> extended_;
     bool oneAngle_ = false;
+    bool alongSurfaces_ = false;
     Buffer<Vec3> stress_;                   // of the first iteration
+    Buffer<Vec3> normals_, wallNormals_;    // of surface and walls, with alongSurfaces
     Buffer<Vec3> push_, order_, total_;     // empty: order_ with one contact angle, both where walls hold in all directions
     SteadyIterations steady_;
     std::optional<CoarseCorrection> coarse_;

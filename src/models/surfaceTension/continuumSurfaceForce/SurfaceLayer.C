@@ -38,7 +38,7 @@ double layersOverWhole(const WendlandC2& W, double spacing)
     const auto force = [&](double depth)
     {
         const double slope = slopeBelow(depth, W);
-        return shareOfForce(scalar(slope / steepest)) * slope;
+        return surfaceWeight(scalar(slope / steepest)) * slope;
     };
     double layers = 0;
     for (double depth = 0.5 * spacing; depth < W.h; depth += spacing) layers += force(depth) * spacing;
@@ -59,7 +59,7 @@ std::vector<scalar> tabulateSurfaceLayer(const WendlandC2& W, scalar spacing, sc
         for (int k = 0; k < parts; ++k)
         {
             const double slope = slopeAt(R + towards * depth * (k + 0.5) / parts, R, W);
-            sum += 2 * shareOfForce(scalar(slope / steepest)) * slope * depth / parts;
+            sum += 2 * surfaceWeight(scalar(slope / steepest)) * slope * depth / parts;
         }
         return scalar(layered * sum);
     };
@@ -85,7 +85,7 @@ std::vector<scalar> tabulateDeeperPart(const WendlandC2& W)
         const double depth = (k + 0.5) * thickness;
         slope += 2 * pi * depth * W.W(scalar(depth)) * thickness;
         while (entry < entries - 1 && entry <= slope / steepest * (entries - 1)) table[entry++] = scalar(force);
-        force += shareOfForce(scalar(slope / steepest)) * slope * thickness;
+        force += surfaceWeight(scalar(slope / steepest)) * slope * thickness;
     }
     while (entry < entries) table[entry++] = scalar(force);
     for (scalar& part : table) part /= scalar(force);

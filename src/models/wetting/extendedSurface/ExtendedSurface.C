@@ -1,5 +1,5 @@
-// The liquid's surface goes on into the walls at the contact angle: what continuumSurfaceForce and completedPbf sum over
-// the walls follows from theta (freeSurface/ExtendedLiquid.H). Without it (wetting none) it meets them at 90 degrees.
+// The liquid's surface goes on into the walls at the contact angle: what continuumSurfaceForce, laplacePressure and completedPbf sum
+// over the walls follows from theta (freeSurface/ExtendedLiquid.H). Without it (wetting none) it meets them at 90 degrees.
 //
 //     wetting     extendedSurface;
 
@@ -22,7 +22,7 @@ public:
             throw FatalInputError
             (
                 coeffs.where(), "The wetting model extends the free surface into the walls, and the surface tension has none",
-                "surfaceTension continuumSurfaceForce, or another wetting model"
+                "surfaceTension continuumSurfaceForce or laplacePressure, or another wetting model"
             );
         }
         walls.requireContactAngles();

@@ -1,0 +1,199 @@
+// Tension as what it is to the liquid: Laplace's pressure sigma kappa on its free surface, which the half-space that is missing there
+// transmits as the density's kernel would.
+//
+//     a_i     = sigma/rho0 2 kappa g_i R_i G_i/|G_i|,       g_i = |Psi'(s_i)|
+//     R_i     = 1 + sign(kappa) o sum_j W_ij (D_j.G_j/|G_j| - g_j) / sum_j W_ij g_j,        from 0.7 to 1.3
+//     D_j     = sum_l V grad W^rho_jl + grad w              of the density's kernel W^rho, w: the wall's wedge
+//     kappa   : surfaceCurvature/SurfaceCurvature.H, steadied where the surface is hollow by the mean over j
+//
+// Psi: the integral of the density's kernel beyond a plane at depth s_i (freeSurface/FreeSurface.H); j: neighbours near the surface.
+//
+// The pressure's sum over pairs, -sum_j V (p_i + p_j) grad W^rho_ij, makes of a pressure that is the same everywhere the force -2 p D_i: it
+// pushes out of every place where neighbours are missing. A plane misses g_i; 2 sigma kappa g_i holds p = sigma kappa there, up to the outermost
+// layer, so that no table of what a force's layers add up to is needed, and a pressure that changes along the surface is that of
+// hydrostatics in all layers alike. Particles at rest do not lie as a plane: R is by how much they miss more, as a mean of those around, because
+// the force of single particles would leave alone those that stand out of the surface, and liquid would evaporate. o: how much more than
+// the sum alone the pressure's model makes of that difference (FreeSurface::ordering()).
+//
+// Of the walls' wedges only what lies ahead of a particle along the interface counts in the curvature: on a wall that wets well the
+// points below liquid have other normals than those beyond the contact line, and hide that it shall spread.
+//
+// Needs a pressure whose force is that sum over pairs; completedPbf completes its gradient along surfaces and walls then.
+// sigma and theta are the user's; no number here was chosen by trial but the bounds of R, which is 1.1 in calm drops.
+// Where the surface is hollow the pressure behind it may fall to 1.5 sigma kappa, and to -sigma/d away from the surface.
+// Why, and what each part gives: doc/theory/laplacePressure.md.
+//
+//     surfaceTension  laplacePressure;
+//     laplacePressureCoeffs { support 3.25; }         // of the normals and the curvature, in spacings; at least 1.5 of the kernel's
+
+#include "device/Holds.H"
+#include "models/surfaceTension/SurfaceTension.H"
+#include "models/surfaceTension/surfaceCurvature/SurfaceCurvature.H"
+#include "walls/HalfSpace.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+// What a particle near the surface misses of its neighbourhood: the slope of the density's kernel there.
+struct OpenSide
+{
+    scalar planar;                          // g
+    scalar disorder;                        // o times what it misses more
+};
+
+template<class Kernel>
+struct MeasureOpenSide
+{
+    static constexpr Holds holds = Holds::more;
+
+    Kernel W;
+    scalar volume, ordering;
+    Span<const Vec3> x;
+    NeighbourView near;
+    WallCompletion walls;                   // of the density's kernel
+    FreeSurfaceView surface;
+    HalfSpaceView plane;                    // of the density's kernel
+    Span<OpenSide> open;
+
+    HOST_DEVICE void operator()(int i, Team team) const
+    {
+        const int k = int(surface.place[i]);
+        const Vec3 xi = x[i];
+        Team::Vector slopes;
+        near.forEach(i, xi, x, [&](auto, auto r) { slopes += volume * W.g(norm(r)) * r; }, team);
+        const Vec3 ofLiquid = team.sum(slopes);
+        const auto wall = walls(i, xi, surface.contact[k], team);
+        if (!team.first()) return;
+        const Vec3 G = surface.gradient[k];
+        const scalar planar = plane(surface.position[k].w).gradient;
+        const scalar missing = dot(ofLiquid + wall.gradient, G) / fmax(norm(G), 1e-20f);
+        open[k] = {planar, ordering * (missing - planar)};
+    }
+};
+
+struct Press
+{
+    static constexpr scalar farthest = 0.3f;        // R from 1
+
+    WendlandC2 W;
+    scalar sigma, restDensity;
+    NeighbourView near;
+    FreeSurfaceView surface;
+    Span<const Vec3> normal;                        // with w = b
+    Span<const scalar> curvature;
+    Span<const OpenSide> open;
+    Span<Vec3> gradient;                            // with w = the lowest pressure
+    scalar factor;
+    Span<Vec3> target;                              // gets factor times the acceleration
+
+    HOST_DEVICE void operator()(int i, Team team) const
+    {
+        const int k = int(surface.place[i]);
+        const Vec3 xi = surface.position[k], mi = normal[k];
+        if (squared(mi) == 0) return;
+        const scalar own = curvature[k];
+        const bool first = team.first();
+        scalar weight = first ? W.W(0) * mi.w : 0, kappas = weight * own;
+        scalar planar = first ? W.W(0) * open[k].planar : 0, disorder = first ? W.W(0) * open[k].disorder : 0;
+        near.forEach(i, [&](int j)
+        {
+            const int l = int(surface.place[j]);
+            if (int(surface.place[j + 1]) == l) return;
+            const Vec3 other = normal[l];
+            if (!onSameSurface(mi, other)) return;
+            const scalar w = W.W(norm(surface.position[l] - xi));
+            weight += w * other.w;
+            kappas += w * other.w * curvature[l];
+            planar += w * open[l].planar;
+            disorder += w * open[l].disorder;
+        }, team);
+        weight = team.sum(weight);
+        kappas = team.sum(kappas);
+        planar = team.sum(planar);
+        disorder = team.sum(disorder);
+        if (!first) return;
+        const scalar jump = sigma * steadied(own, weight > 0 ? kappas / weight : own);
+        const Vec3 G = gradient[k];
+        gradient[k].w = lowestBehind(jump, G.w);
+        const scalar more = fmin(fmax(disorder / fmax(planar, 1e-20f), -farthest), farthest);
+        const scalar share = open[k].planar * (jump < 0 ? 1 - more : 1 + more);
+        target[i] += factor / restDensity * 2 * jump * share / norm(G) * G;
+    }
+};
+
+class LaplacePressure : public SurfaceTension
+{
+public:
+    LaplacePressure(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface)
+    :
+        surface_(surface),
+        sigma_(liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension)),
+        plane_(tabulateHalfSpace(liquid.kernel())),
+        curvature_(coeffs, liquid, walls, surface, sigma_, WedgePart::ahead)
+    {
+        surface.setPressed();
+    }
+
+    const FreeSurface* freeSurface() const override { return &surface_; }
+
+    void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
+    {
+        add(liquid, near, walls, 1, acceleration);
+    }
+
+    // The force sees no positions but those of the free surface.
+    bool move(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
+    {
+        add(liquid, near, walls, dt * dt, liquid.predicted);
+        return true;
+    }
+
+    bool isInternal() const override { return oneAngle_; }
+
+private:
+    // Adds factor times the acceleration.
+    void add(const Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar factor, Buffer<Vec3>& target)
+    {
+        if (!extended_)
+        {
+            extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
+            oneAngle_ = walls.oneContactAngle();
+        }
+        const FreeSurfaceView view = surface_.view();
+        const CurvatureField field = curvature_(liquid, near, walls);
+        Buffer<OpenSide> open(surface_.particles().indices.size());
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                forEachTeam(surface_.particles(), MeasureOpenSide<Kernel>
+                {
+                    W, liquid.particleVolume(), surface_.ordering(), liquid.predicted.span(), near.view(),
+                    {extended_->view(), W.h, walls.view()}, view, {plane_.span(), W.h}, open.span()
+                });
+            },
+            liquid.kernel()
+        );
+        forEachTeam(surface_.particles(), Press
+        {
+            surface_.kernel(), sigma_, liquid.restDensity(), near.view(), view, field.normal.span(), field.curvature.span(),
+            open.span(), surface_.gradient(), factor, target.span()
+        });
+    }
+
+    FreeSurface& surface_;
+    scalar sigma_;
+    Buffer<HalfSpaceValues> plane_;
+    SurfaceCurvature curvature_;
+    std::optional<ExtendedLiquid> extended_;        // of the density's kernel
+    bool oneAngle_ = false;
+};
+
+const SurfaceTensionTable::Add<LaplacePressure> registered{"laplacePressure"};
+
+}
+
+}
