@@ -6,6 +6,7 @@
 
 #include "support/LiquidCase.H"
 #include "support/ReferenceKernels.H"
+#include "support/SurfaceForces.H"
 #include "support/SurfaceStates.H"
 
 using namespace shizuku;
@@ -23,20 +24,6 @@ std::unique_ptr<SurfaceTension> makeTension(LiquidCase& drop, const std::string&
         "surfaceTension continuumSurfaceForce; continuumSurfaceForceCoeffs { " + coeffs + " }", "constant/models"
     );
     return SurfaceTension::New(models, drop.liquid, drop.walls, drop.surface);
-}
-
-// Accelerations in the order of placement, times rho0 d^2/sigma: forces in units of sigma d, curvatures of 1/d.
-std::vector<Vec3> tensionOf(LiquidCase& drop, SurfaceTension& tension, const std::vector<Vec3>& points)
-{
-    drop.place(points);
-    Buffer<Vec3> acceleration(drop.liquid.all());
-    acceleration.setZero();
-    tension.apply(drop.liquid, drop.near, drop.walls, acceleration);
-    const scalar d = drop.liquid.spacing();
-    const scalar sigma = drop.liquid.units().toScaled(drop.liquid.properties().surfaceTension, dimensions::surfaceTension);
-    auto result = drop.inOrder(acceleration);
-    for (Vec3& a : result) a = drop.liquid.restDensity() * d * d / sigma * a;
-    return result;
 }
 
 }
@@ -240,24 +227,20 @@ TEST(ContinuumSurfaceForce, IsYoungsAtTheContactLine)
             const auto tension = makeTension(drop);
             const auto points = latticeWedge(wedge, 7, 25, 16);
             const auto force = tensionOf(drop, *tension, points);
-            const double sine = std::sin(wedge * degree), cosine = std::cos(wedge * degree);
-            double along = 0;
-            for (std::size_t i = 0; i < points.size(); ++i)
-            {
-                const Vec3 x = points[i];
-                if (x.y != 0 || x.z > 8 || -x.x * sine - x.z * cosine > 3) continue;
-                along += force[i].x;
-                if (theta == wedge)
-                {
-                    EXPECT_LT(norm(force[i]), 0.016f) << wedge << " " << x.x << " " << x.z;
-                }
-            }
+            const double along = forceAlongWall(points, force, wedge);
             if (theta == wedge)
             {
                 EXPECT_NEAR(along, 0, 0.02) << wedge;
+                for (std::size_t i = 0; i < points.size(); ++i)
+                {
+                    const Vec3 x = points[i];
+                    const double depth = -x.x * std::sin(wedge * degree) - x.z * std::cos(wedge * degree);
+                    if (x.y != 0 || x.z > 8 || depth > 3) continue;
+                    EXPECT_LT(norm(force[i]), 0.016f) << wedge << " " << x.x << " " << x.z;
+                }
                 continue;
             }
-            const double share = along / (std::cos(theta * degree) - cosine);
+            const double share = shareOfYoungs(along, theta, wedge);
             EXPECT_GT(share, 0.4) << wedge << " " << theta;
             EXPECT_LT(share, 1.2) << wedge << " " << theta;
         }

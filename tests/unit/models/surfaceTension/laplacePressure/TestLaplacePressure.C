@@ -1,9 +1,7 @@
 // The surface's pressure on lattices whose curvature is known.
 
-#include "models/surfaceTension/SurfaceTension.H"
-
-#include "support/LiquidCase.H"
 #include "support/ReferenceKernels.H"
+#include "support/SurfaceForces.H"
 
 #include <gtest/gtest.h>
 
@@ -16,25 +14,10 @@ using namespace shizuku::test;
 namespace
 {
 
-constexpr double degree = std::numbers::pi / 180;
-
-// Accelerations in the order of placement, times rho0 d^2/sigma: forces in units of sigma d, curvatures of 1/d.
-std::vector<Vec3> tensionOf(LiquidCase& drop, const std::vector<Vec3>& points, scalar ordering = 1)
+std::unique_ptr<SurfaceTension> makeTension(LiquidCase& drop)
 {
-    const auto tension = SurfaceTension::New
-    (
-        Dictionary::parse("surfaceTension laplacePressure;", "constant/models"), drop.liquid, drop.walls, drop.surface
-    );
-    drop.surface.setOrdering(ordering);
-    drop.place(points);
-    Buffer<Vec3> acceleration(drop.liquid.all());
-    acceleration.setZero();
-    tension->apply(drop.liquid, drop.near, drop.walls, acceleration);
-    const scalar d = drop.liquid.spacing();
-    const scalar sigma = drop.liquid.units().toScaled(drop.liquid.properties().surfaceTension, dimensions::surfaceTension);
-    auto result = drop.inOrder(acceleration);
-    for (Vec3& a : result) a = drop.liquid.restDensity() * d * d / sigma * a;
-    return result;
+    const Dictionary models = Dictionary::parse("surfaceTension laplacePressure;", "constant/models");
+    return SurfaceTension::New(models, drop.liquid, drop.walls, drop.surface);
 }
 
 // What a pressure of 1 in all particles pushes out of the ball around the origin: 2 sum_j grad W_ij of the cubic spline with support 2, along
@@ -72,7 +55,9 @@ TEST(LaplacePressure, BalancesTheSamePressureInAllParticlesOfABall)
         for (const int k : {0, 1})
         {
             LiquidCase drop;
-            const auto force = tensionOf(drop, points, k == 0 ? 1 : 1.2f);
+            const auto tension = makeTension(drop);
+            drop.surface.setOrdering(k == 0 ? 1 : 1.2f);
+            const auto force = tensionOf(drop, *tension, points);
             for (std::size_t i = 0; i < points.size(); ++i)
             {
                 const double r = norm(points[i]);
@@ -93,7 +78,7 @@ TEST(LaplacePressure, LeavesAPlaneAlone)
 {
     LiquidCase drop({.walls = "far { type plane; point (0 0 -1); normal (0 0 1); }"});       // so that nothing is balanced
     const auto points = latticeBlock(29, 29, 8, 1, {-14, -14, -7.5f});
-    const auto force = tensionOf(drop, points);
+    const auto force = tensionOf(drop, *makeTension(drop), points);
     scalar edge = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
@@ -115,7 +100,7 @@ TEST(LaplacePressure, DrawsAThinRimOutOverAWallThatItWets)
         LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta 0; }"});
         drop.walls.requireContactAngles();
         const auto points = latticeWedge(wedge, 12, 25, 6);
-        const auto force = tensionOf(drop, points);
+        const auto force = tensionOf(drop, *makeTension(drop), points);
         double along = 0;
         for (std::size_t i = 0; i < points.size(); ++i)
         {
@@ -137,21 +122,14 @@ TEST(LaplacePressure, IsYoungsAtTheContactLine)
             LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta " + std::to_string(theta) + "; }"});
             drop.walls.requireContactAngles();
             const auto points = latticeWedge(wedge, 7, 25, 16);
-            const auto force = tensionOf(drop, points);
-            const double sine = std::sin(wedge * degree), cosine = std::cos(wedge * degree);
-            double along = 0;
-            for (std::size_t i = 0; i < points.size(); ++i)
-            {
-                const Vec3 x = points[i];
-                if (x.y != 0 || x.z > 8 || -x.x * sine - x.z * cosine > 3) continue;
-                along += force[i].x;
-            }
+            const auto force = tensionOf(drop, *makeTension(drop), points);
+            const double along = forceAlongWall(points, force, wedge);
             if (theta == wedge)
             {
                 EXPECT_NEAR(along, 0, 0.03) << wedge;
                 continue;
             }
-            const double share = along / (std::cos(theta * degree) - cosine);
+            const double share = shareOfYoungs(along, theta, wedge);
             EXPECT_GT(share, 0.4) << wedge << " " << theta;
             EXPECT_LT(share, 1.2) << wedge << " " << theta;
         }
