@@ -124,7 +124,7 @@ struct Displace
     {
         const Vec3 xi = x[i];
         Team::Vector sum;
-        [[maybe_unused]] typename Tangential::Sum along;
+        typename Tangential::Sum along;
         const auto ownStress = stress[i];
         near.forEach(i, xi, x, [&]([[maybe_unused]] auto j, auto r)
         {

@@ -31,9 +31,8 @@
 //     surfaceTension  continuumSurfaceForce;
 //     continuumSurfaceForceCoeffs { support 3.25; }   // of the normals and the curvature, in spacings; at least 1.5 of the kernel's
 
-#include "freeSurface/FreeSurface.H"
-#include "models/surfaceTension/SurfaceTension.H"
 #include "models/surfaceTension/continuumSurfaceForce/SurfaceLayer.H"
+#include "models/surfaceTension/surfaceCurvature/CurvatureTension.H"
 
 namespace shizuku
 {
@@ -62,12 +61,8 @@ struct Force
         const scalar own = curvature[k], ownWeight = W.W(0) * mi.w;
         scalar weight = 0, sum = 0, spread = 0;
         Vec3 slopes = {};
-        near.forEach(i, [&](int j)
+        forEachOnSurface(i, mi, near, surface, normal, [&](int l, Vec3 other)
         {
-            const int l = int(surface.place[j]);
-            if (int(surface.place[j + 1]) == l) return;
-            const Vec3 other = normal[l];
-            if (!onSameSurface(mi, other)) return;
             const Vec3 r = surface.position[l] - xi, t = r - dot(r, mi) * mi;
             const scalar w = W.W(norm(r)) * other.w;
             weight += w;
@@ -90,38 +85,23 @@ struct Force
     }
 };
 
-class ContinuumSurfaceForce : public SurfaceTension
+class ContinuumSurfaceForce : public CurvatureTension
 {
 public:
     ContinuumSurfaceForce(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface)
     :
-        surface_(surface),
-        sigma_(liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension)),
-        capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time)),
-        curvature_(coeffs, liquid, walls, surface, sigma_, WedgePart::whole)
+        CurvatureTension(coeffs, liquid, walls, surface, WedgePart::whole),
+        capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
     {}
-
-    const FreeSurface* freeSurface() const override { return &surface_; }
-
-    void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
-    {
-        add(liquid, near, walls, 1, acceleration);
-    }
-
-    // The force sees no positions but those of the free surface.
-    bool move(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
-    {
-        add(liquid, near, walls, dt * dt, liquid.predicted);
-        return true;
-    }
 
     void begin(scalar dt) override { dt_ = dt; }
 
-    bool isInternal() const override { return oneAngle_; }
-
 private:
-    // Adds factor times the acceleration.
-    void add(const Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar factor, Buffer<Vec3>& target)
+    void add
+    (
+        const Liquid& liquid, const Neighbourhood& near, const Walls&, const CurvatureField& field,
+        scalar factor, Buffer<Vec3>& target
+    ) override
     {
         const WendlandC2 W = surface_.kernel();
         const scalar most = SurfaceCurvature::largest(liquid);
@@ -129,9 +109,7 @@ private:
         {
             sums_.upload(tabulateSurfaceLayer(W, liquid.spacing(), most));
             parts_.upload(tabulateDeeperPart(W));
-            oneAngle_ = walls.oneContactAngle();
         }
-        const CurvatureField field = curvature_(liquid, near, walls);
         forEachTeam(surface_.particles(), Force
         {
             W, {sums_.span(), parts_.span(), most}, sigma_, liquid.restDensity(), surface_.steepest(),
@@ -146,12 +124,8 @@ private:
         return fmin(1, shorter * shorter);
     }
 
-    FreeSurface& surface_;
-    scalar sigma_;
     scalar capillaryStep_, dt_ = 0;         // the step: 0 before the first
     Buffer<scalar> sums_, parts_;           // J and psi (SurfaceLayer.H)
-    SurfaceCurvature curvature_;
-    bool oneAngle_ = false;
 };
 
 const SurfaceTensionTable::Add<ContinuumSurfaceForce> registered{"continuumSurfaceForce"};

@@ -1,6 +1,7 @@
 #include "models/surfaceTension/continuumSurfaceForce/SurfaceLayer.H"
 
 #include "maths/Simpson.H"
+#include "models/surfaceTension/surfaceCurvature/SurfaceCurvature.H"
 
 #include <algorithm>
 #include <cmath>

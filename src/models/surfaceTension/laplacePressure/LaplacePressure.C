@@ -27,8 +27,7 @@
 //     laplacePressureCoeffs { support 3.25; }         // of the normals and the curvature, in spacings; at least 1.5 of the kernel's
 
 #include "device/Holds.H"
-#include "models/surfaceTension/SurfaceTension.H"
-#include "models/surfaceTension/surfaceCurvature/SurfaceCurvature.H"
+#include "models/surfaceTension/surfaceCurvature/CurvatureTension.H"
 #include "walls/HalfSpace.H"
 
 namespace shizuku
@@ -98,12 +97,8 @@ struct Press
         const bool first = team.first();
         scalar weight = first ? W.W(0) * mi.w : 0, kappas = weight * own;
         scalar planar = first ? W.W(0) * open[k].planar : 0, disorder = first ? W.W(0) * open[k].disorder : 0;
-        near.forEach(i, [&](int j)
+        forEachOnSurface(i, mi, near, surface, normal, [&](int l, Vec3 other)
         {
-            const int l = int(surface.place[j]);
-            if (int(surface.place[j + 1]) == l) return;
-            const Vec3 other = normal[l];
-            if (!onSameSurface(mi, other)) return;
             const scalar w = W.W(norm(surface.position[l] - xi));
             weight += w * other.w;
             kappas += w * other.w * curvature[l];
@@ -124,46 +119,26 @@ struct Press
     }
 };
 
-class LaplacePressure : public SurfaceTension
+class LaplacePressure : public CurvatureTension
 {
 public:
     LaplacePressure(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface)
     :
-        surface_(surface),
-        sigma_(liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension)),
-        plane_(tabulateHalfSpace(liquid.kernel())),
-        curvature_(coeffs, liquid, walls, surface, sigma_, WedgePart::ahead)
+        CurvatureTension(coeffs, liquid, walls, surface, WedgePart::ahead),
+        plane_(tabulateHalfSpace(liquid.kernel()))
     {
         surface.setPressed();
     }
 
-    const FreeSurface* freeSurface() const override { return &surface_; }
-
-    void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
-    {
-        add(liquid, near, walls, 1, acceleration);
-    }
-
-    // The force sees no positions but those of the free surface.
-    bool move(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
-    {
-        add(liquid, near, walls, dt * dt, liquid.predicted);
-        return true;
-    }
-
-    bool isInternal() const override { return oneAngle_; }
-
 private:
-    // Adds factor times the acceleration.
-    void add(const Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar factor, Buffer<Vec3>& target)
+    void add
+    (
+        const Liquid& liquid, const Neighbourhood& near, const Walls& walls, const CurvatureField& field,
+        scalar factor, Buffer<Vec3>& target
+    ) override
     {
-        if (!extended_)
-        {
-            extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
-            oneAngle_ = walls.oneContactAngle();
-        }
+        if (!extended_) extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
         const FreeSurfaceView view = surface_.view();
-        const CurvatureField field = curvature_(liquid, near, walls);
         Buffer<OpenSide> open(surface_.particles().indices.size());
         std::visit
         (
@@ -184,12 +159,8 @@ private:
         });
     }
 
-    FreeSurface& surface_;
-    scalar sigma_;
     Buffer<HalfSpaceValues> plane_;
-    SurfaceCurvature curvature_;
     std::optional<ExtendedLiquid> extended_;        // of the density's kernel
-    bool oneAngle_ = false;
 };
 
 const SurfaceTensionTable::Add<LaplacePressure> registered{"laplacePressure"};
