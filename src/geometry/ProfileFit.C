@@ -106,26 +106,17 @@ double apexRadiusOf(const std::vector<MeridianPoint>& points, double apex, doubl
     return rise > 0 ? 0.5*square/rise : widest;
 }
 
-}
-
-std::optional<ProfileFit> fitProfile(const std::vector<MeridianPoint>& points)
+// The least squares that Levenberg-Marquardt steps from u come to.
+struct Minimum
 {
-    constexpr std::size_t fewest = 10;
+    Unknowns u;
+    double squares;
+};
+
+Minimum descend(const ProfileSearch& search, Unknowns u, double shortest, double longest)
+{
     constexpr int maxSteps = 100;
     constexpr double smallestGain = 1e-9, longestStep = 0.5, mostDamping = 1e6;
-    if (points.size() < fewest) return std::nullopt;
-
-    double apex = points.front().height, widest = 0;
-    for (const MeridianPoint& p : points)
-    {
-        apex = std::max(apex, p.height);
-        widest = std::max(widest, p.r);
-    }
-    if (!(widest > 0)) return std::nullopt;
-
-    const double shortest = std::log(widest/30), longest = std::log(10*widest);        // of l
-    const ProfileSearch search(points, widest);
-    Unknowns u{apex/widest, std::log(apexRadiusOf(points, apex, widest)), std::log(widest)};
     double squares = search.meanSquare(u), damping = 1e-3;
     for (int step = 0; step < maxSteps && damping < mostDamping; ++step)
     {
@@ -152,11 +143,39 @@ std::optional<ProfileFit> fitProfile(const std::vector<MeridianPoint>& points)
         }
         if (before - squares < smallestGain*before) break;
     }
+    return {u, squares};
+}
+
+}
+
+std::optional<ProfileFit> fitProfile(const std::vector<MeridianPoint>& points)
+{
+    constexpr std::size_t fewest = 10;
+    if (points.size() < fewest) return std::nullopt;
+
+    double apex = points.front().height, widest = 0;
+    for (const MeridianPoint& p : points)
+    {
+        apex = std::max(apex, p.height);
+        widest = std::max(widest, p.r);
+    }
+    if (!(widest > 0)) return std::nullopt;
+
+    // A puddle has another minimum where l is as long as the puddle is wide, which is not the least.
+    const ProfileSearch search(points, widest);
+    const double shortest = std::log(widest/30), longest = std::log(10*widest);        // of l
+    Minimum least{{}, HUGE_VAL};
+    for (const double l : {1.0, 0.3, 0.1})
+    {
+        const Unknowns start{apex/widest, std::log(apexRadiusOf(points, apex, widest)), std::log(l*widest)};
+        const Minimum found = descend(search, start, shortest, longest);
+        if (found.squares < least.squares) least = found;
+    }
     // Next to the ends of the range the least squares are beyond it.
     constexpr double margin = 0.1;
-    if (u[2] < shortest + margin || u[2] > longest - margin) return std::nullopt;
-    ProfileFit fit = search.fitOf(u);
-    fit.rms = std::sqrt(squares);
+    if (least.u[2] < shortest + margin || least.u[2] > longest - margin) return std::nullopt;
+    ProfileFit fit = search.fitOf(least.u);
+    fit.rms = std::sqrt(least.squares);
     return fit;
 }
 
