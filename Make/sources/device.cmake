@@ -46,6 +46,8 @@ set(SHIZUKU_DEVICE_SOURCES
     models/surfaceTension/continuumSurfaceForce/ContinuumSurfaceForce.C
     models/surfaceTension/continuumSurfaceForce/SurfaceLayer.C
     models/surfaceTension/laplacePressure/LaplacePressure.C
+    models/surfaceTension/surfaceCurvature/PairCurvature.C
+    models/surfaceTension/surfaceCurvature/RegressedCurvature.C
     models/surfaceTension/surfaceCurvature/SurfaceCurvature.C
     models/surfaceTension/Akinci2013/Akinci2013.C
     models/surfaceTension/Becker2007/Becker2007.C

@@ -42,6 +42,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/surfaceTension/laplacePressure/TestLaplacePressure.C
     models/surfaceTension/pairTension/TestCohesionSpline.C
     models/surfaceTension/pairTension/TestPairTension.C
+    models/surfaceTension/surfaceCurvature/TestRegressedCurvature.C
     models/viscosity/TestMomentum.C
     models/viscosity/XSPH/TestXSPH.C
     models/viscosity/laminar/TestLaminar.C

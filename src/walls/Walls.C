@@ -209,7 +209,7 @@ void Walls::project(Liquid& liquid) const
 
 WallStop Walls::stop(const Liquid& liquid) const
 {
-    return {view(), liquid.support(), liquid.spacing(), liquid.position.span()};
+    return {view(), liquid.support(), liquid.spacing(), closest_ * liquid.spacing(), liquid.position.span()};
 }
 
 void Walls::refuseLiquidInside(const Liquid& liquid) const

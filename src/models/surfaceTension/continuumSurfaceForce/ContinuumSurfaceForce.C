@@ -1,7 +1,7 @@
 // Continuum surface force (Brackbill, Kothe and Zemach 1992) on the free surface of FreeSurface.H, with walls as the
 // liquid's extension at the contact angle.
 //
-//     kappa_i : the curvature (surfaceCurvature/SurfaceCurvature.H), n_i: the mean normal, b_i: |G| over that of a planar surface, less a tenth
+//     kappa_i : the curvature (surfaceCurvature/PairCurvature.H), n_i: the mean normal, b_i: |G| over that of a planar surface, less a tenth
 //     kappa'_i: its mean over the neighbours in the density's support, by W_ij b_j
 //     a_i     = sigma/rho0 [ 2 kappa b_i G_i / J(kappa) - f psi(|G_i|/G0) g_i ],    kappa going from kappa_i, where kappa'_i is above
 //                                                 4 |kappa_i - kappa'_i|, to kappa'_i, where that is below zero
@@ -33,6 +33,7 @@
 
 #include "models/surfaceTension/continuumSurfaceForce/SurfaceLayer.H"
 #include "models/surfaceTension/surfaceCurvature/CurvatureTension.H"
+#include "models/surfaceTension/surfaceCurvature/PairCurvature.H"
 
 namespace shizuku
 {
@@ -85,12 +86,12 @@ struct Force
     }
 };
 
-class ContinuumSurfaceForce : public CurvatureTension
+class ContinuumSurfaceForce : public CurvatureTension<PairCurvature>
 {
 public:
     ContinuumSurfaceForce(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface)
     :
-        CurvatureTension(coeffs, liquid, walls, surface, WedgePart::whole),
+        CurvatureTension(coeffs, liquid, walls, surface),
         capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
     {}
 
@@ -104,7 +105,7 @@ private:
     ) override
     {
         const WendlandC2 W = surface_.kernel();
-        const scalar most = SurfaceCurvature::largest(liquid);
+        const scalar most = largestCurvature(liquid);
         if (sums_.size() == 0)
         {
             sums_.upload(tabulateSurfaceLayer(W, liquid.spacing(), most));

@@ -4,7 +4,7 @@
 //     a_i     = sigma/rho0 2 kappa g_i R_i G_i/|G_i|,       g_i = |Psi'(s_i)|
 //     R_i     = 1 + sign(kappa) o sum_j W_ij (D_j.G_j/|G_j| - g_j) / sum_j W_ij g_j,        from 0.7 to 1.3
 //     D_j     = sum_l V grad W^rho_jl + grad w              of the density's kernel W^rho, w: the wall's wedge
-//     kappa   : surfaceCurvature/SurfaceCurvature.H, steadied where the surface is hollow by the mean over j
+//     kappa   : surfaceCurvature/RegressedCurvature.H, steadied where the surface is hollow by the mean over j
 //
 // Psi: the integral of the density's kernel beyond a plane at depth s_i (freeSurface/FreeSurface.H); j: neighbours near the surface.
 //
@@ -15,8 +15,7 @@
 // the force of single particles would leave alone those that stand out of the surface, and liquid would evaporate. o: how much more than
 // the sum alone the pressure's model makes of that difference (FreeSurface::ordering()).
 //
-// Of the walls' wedges only what lies ahead of a particle along the interface counts in the curvature: on a wall that wets well the
-// points below liquid have other normals than those beyond the contact line, and hide that it shall spread.
+// Walls let liquid come as near as layers of it lie apart, and no nearer (Walls::admitLayers).
 //
 // Needs a pressure whose force is that sum over pairs; completedPbf completes its gradient along surfaces and walls then.
 // sigma and theta are the user's; no number here was chosen by trial but the bounds of R, which is 1.1 in calm drops.
@@ -28,6 +27,7 @@
 
 #include "device/Holds.H"
 #include "models/surfaceTension/surfaceCurvature/CurvatureTension.H"
+#include "models/surfaceTension/surfaceCurvature/RegressedCurvature.H"
 #include "walls/HalfSpace.H"
 
 namespace shizuku
@@ -119,15 +119,16 @@ struct Press
     }
 };
 
-class LaplacePressure : public CurvatureTension
+class LaplacePressure : public CurvatureTension<RegressedCurvature>
 {
 public:
     LaplacePressure(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface)
     :
-        CurvatureTension(coeffs, liquid, walls, surface, WedgePart::ahead),
+        CurvatureTension(coeffs, liquid, walls, surface),
         plane_(tabulateHalfSpace(liquid.kernel()))
     {
         surface.setPressed();
+        walls.admitLayers();
     }
 
 private:

@@ -1,0 +1,142 @@
+#include "models/surfaceTension/surfaceCurvature/PairCurvature.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+// Single normals are tilted by a few degrees where the particles stand in layers along a wall; their mean is not.
+struct SmoothNormal
+{
+    WendlandC2 W;
+    scalar steepest;                        // the planar |G|
+    FreeSurfaceView surface;
+    SelectedSearch near;
+    Span<Vec3> normal;                      // with w = b; zero away from the surface
+
+    HOST_DEVICE void operator()(Group places, Team team) const
+    {
+        const scalar least = leastSlope * steepest;
+        GroupOfParticles group{};
+        Vec3 own[Group::most];
+        #pragma unroll
+        for (int p = 0; p < Group::most; ++p)
+        {
+            group.index[p] = places[p];
+            own[p] = surface.gradient[places[p]];
+            if (p < places.size && squared(own[p]) > least * least) group.members |= 1u << p;
+        }
+        Team::Vector around[Group::most];
+        near.forEach(group, [&](auto l) { return surface.gradient[l]; }, [&](int p, auto Gl, auto r)
+        {
+            const auto same = squared(Gl) > least * least && dot(own[p], Gl) >= 0;
+            if (noneOf(same)) return;
+            around[p] -= (same ? W.W(norm(r)) : 0) * Gl;
+        }, team);
+        const Vec3 sums = team.sums(around);
+        if (team.lane >= places.size) return;
+        const int k = places.first + team.lane;
+        const Vec3 G = surface.gradient[k], sum = sums - W.W(0) * G;
+        const bool isNear = (group.members >> team.lane & 1) != 0;
+        Vec3 mean = isNear ? 1 / norm(sum) * sum : Vec3{};
+        mean.w = isNear ? surfaceWeight(norm(G) / steepest) : 0;
+        normal[k] = mean;
+    }
+};
+
+struct Curvature
+{
+    WendlandC2 W;
+    scalar volume, largest;
+    FreeSurfaceView surface;
+    Span<const Vec3> normal;                // with w = b
+    SelectedSearch near;                    // among positions with w = depth
+    Span<const std::uint32_t> selected;
+    ExtendedLiquidView extended;
+    WallView walls;
+    Span<scalar> curvature;                 // meaningless away from the surface
+
+    HOST_DEVICE void operator()(Group places, Team team) const
+    {
+        GroupOfParticles group{};
+        Vec3 normals[Group::most];
+        scalar own[Group::most];
+        #pragma unroll
+        for (int p = 0; p < Group::most; ++p)
+        {
+            group.index[p] = places[p];
+            normals[p] = normal[places[p]];
+            own[p] = near.points[places[p]].w;
+            if (p < places.size && squared(normals[p]) > 0) group.members |= 1u << p;
+        }
+        Team::Scalar spreads[Group::most] = {}, weights[Group::most] = {}, depths[Group::most] = {};
+        near.forEach(group, [&](auto l) { return normal[l]; }, [&](int p, auto other, auto r)
+        {
+            const auto same = onSameSurface(normals[p], other);
+            if (noneOf(same)) return;
+            const auto mean = normals[p] + other;
+            const auto slope = same ? -volume * other.w * W.g(norm(r)) : 0;
+            const auto up = dot(r, mean);
+            const auto along = same ? slope * (squared(r) - up * up / squared(mean)) : 0;
+            spreads[p] -= slope * dot(r, other - normals[p]);
+            weights[p] += along;
+            depths[p] += along * 0.5f * (own[p] + r.w);
+        }, team);
+        const scalar spread = team.sums(spreads), weight = team.sums(weights), depth = team.sums(depths);
+        if ((group.members >> team.lane & 1) == 0) return;
+        const int k = places.first + team.lane;
+        addWalls(k, spread, weight, depth);
+    }
+
+private:
+    // The walls' part, and what comes of all.
+    HOST_DEVICE void addWalls(int k, scalar spread, scalar weight, scalar depth) const
+    {
+        const int i = int(selected[k]);
+        const Vec3 xi = near.points[k], mi = normal[k];
+        const scalar own = xi.w;
+        const ContactLine line = surface.contact[k];
+        walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
+        {
+            if (a != line.wall) return;
+            const WedgeIntegrals wedge = extended(line.theta, wall.distance / W.h, line.depth / W.h);
+            const Vec3 slope = 1 / W.h * (wedge.tangential * line.tangent + wedge.normal * wall.normal);
+            const scalar sine = sin(line.theta), cosine = cos(line.theta);
+            const scalar along = fmax(0, -fromContactLine(wall.distance, line, sine) * dot(slope, alongFromLine(wall, line)));
+            spread += dot(slope, sine * line.tangent + cosine * wall.normal - mi);
+            weight += along;
+            depth += along * own;
+        });
+        const scalar kappa = weight > 0 ? fmin(fmax(2 * spread / weight, -largest), largest) : 0;
+        curvature[k] = weight > 0 ? broughtUp(kappa, depth / weight) : 0;
+    }
+};
+
+}
+
+PairCurvature::PairCurvature(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface, scalar sigma)
+:
+    surface_(surface)
+{
+    requireSurface(coeffs, liquid, walls, surface, sigma);
+}
+
+CurvatureField PairCurvature::operator()(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
+{
+    const WendlandC2 W = surface_.kernel();
+    if (!extended_) extended_.emplace(W, walls.contactAngles(W.h), weightsByDepth(W, surface_.steepest()));
+    const int room = surface_.particles().indices.size();
+    CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
+    const FreeSurfaceView view = surface_.view();
+    const SelectedSearch among = near.wide(surface_.particles(), surface_.position());
+    forEachGroup(surface_.particles(), SmoothNormal{W, surface_.steepest(), view, among, field.normal.span()});
+    forEachGroup(surface_.particles(), Curvature
+    {
+        W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), among,
+        surface_.particles().indices.span(), extended_->view(), walls.view(), field.curvature.span()
+    });
+    return field;
+}
+
+}

@@ -1,0 +1,178 @@
+#include "models/surfaceTension/surfaceCurvature/RegressedCurvature.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct OutwardNormal
+{
+    scalar steepest;                        // the planar |G|
+    FreeSurfaceView surface;
+    Span<Vec3> normal;                      // with w = b; zero away from the surface
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const int k = int(surface.place[i]);
+        const Vec3 G = surface.gradient[k];
+        const scalar slope = norm(G);
+        Vec3 m = slope > leastSlope * steepest ? -1 / slope * G : Vec3{};
+        m.w = surfaceWeight(slope / steepest);
+        normal[k] = m;
+    }
+};
+
+struct TangentPlane
+{
+    Vec3 e, f;
+
+    TangentPlane() = default;
+
+    HOST_DEVICE explicit TangentPlane(Vec3 m)
+    {
+        const Vec3 across = cross(m, fabs(m.z) < 0.9f ? Vec3{0, 0, 1} : Vec3{1, 0, 0});
+        e = 1 / fmax(norm(across), 1e-20f) * across;
+        f = cross(m, e);
+    }
+};
+
+// The sums of a line q = a + B t through vectors q at places t of a plane. Number: a scalar, or those of a team's lanes.
+template<class Number>
+struct LineSums
+{
+    enum { w, t1, t2, t11, t12, t22, q1, q2, t1q1, t12q, t2q2, depths, count };
+
+    Number of[count] = {};
+
+    template<class Any>
+    HOST_DEVICE void add(Number weight, const TangentPlane& plane, Any t, Any q, Number depth)
+    {
+        const auto a = dot(t, plane.e), b = dot(t, plane.f), u = dot(q, plane.e), v = dot(q, plane.f);
+        of[w] += weight;
+        of[t1] += weight * a;
+        of[t2] += weight * b;
+        of[t11] += weight * a * a;
+        of[t12] += weight * a * b;
+        of[t22] += weight * b * b;
+        of[q1] += weight * u;
+        of[q2] += weight * v;
+        of[t1q1] += weight * a * u;
+        of[t12q] += weight * (a * v + b * u);
+        of[t2q2] += weight * b * v;
+        of[depths] += weight * depth;
+    }
+};
+
+// The trace of B. least: added to the variances of the places, so that few of them give no steep line.
+HOST_DEVICE inline scalar traceOfLine(const LineSums<scalar>& sums, scalar least)
+{
+    using S = LineSums<scalar>;
+    const scalar one = 1 / sums.of[S::w];
+    const scalar a = one * sums.of[S::t1], b = one * sums.of[S::t2], u = one * sums.of[S::q1], v = one * sums.of[S::q2];
+    const scalar c11 = one * sums.of[S::t11] - a * a + least, c22 = one * sums.of[S::t22] - b * b + least;
+    const scalar c12 = one * sums.of[S::t12] - a * b;
+    const scalar x11 = one * sums.of[S::t1q1] - a * u, x22 = one * sums.of[S::t2q2] - b * v;
+    const scalar x12 = one * sums.of[S::t12q] - a * v - b * u;
+    return (c22 * x11 - c12 * x12 + c11 * x22) / fmax(c11 * c22 - c12 * c12, least * least);
+}
+
+struct Regress
+{
+    WendlandC2 W;
+    scalar volume, largest;
+    FreeSurfaceView surface;
+    Span<const Vec3> normal;                // with w = b
+    SelectedSearch near;                    // among positions with w = depth
+    Span<const std::uint32_t> selected;
+    ExtendedLiquidView extended;
+    WallView walls;
+    Span<scalar> curvature;                 // meaningless away from the surface
+
+    HOST_DEVICE void operator()(Group places, Team team) const
+    {
+        GroupOfParticles group{};
+        Vec3 m[Group::most];
+        TangentPlane plane[Group::most];
+        scalar own[Group::most];
+        LineSums<Team::Scalar> sums[Group::most];
+        #pragma unroll
+        for (int p = 0; p < Group::most; ++p)
+        {
+            group.index[p] = places[p];
+            m[p] = normal[places[p]];
+            plane[p] = TangentPlane(m[p]);
+            own[p] = near.points[places[p]].w;
+            if (p < places.size && squared(m[p]) > 0) group.members |= 1u << p;
+        }
+        near.forEach(group, [&](auto l) { return normal[l]; }, [&](int p, auto other, auto r)
+        {
+            const auto same = onSameSurface(m[p], other);
+            if (noneOf(same)) return;
+            const auto mean = m[p] + other;
+            const auto across = same ? dot(r, mean) / squared(mean) : 0;
+            sums[p].add(same ? volume * other.w * W.W(norm(r)) : 0, plane[p], across * mean - r, other, 0.5f * (own[p] + r.w));
+        }, team);
+        LineSums<scalar> all;
+        #pragma unroll
+        for (int n = 0; n < LineSums<scalar>::count; ++n)
+        {
+            Team::Scalar parts[Group::most];
+            #pragma unroll
+            for (int p = 0; p < Group::most; ++p) parts[p] = sums[p].of[n];
+            all.of[n] = team.sums(parts);
+        }
+        if ((group.members >> team.lane & 1) != 0) finish(places.first + team.lane, all);
+    }
+
+private:
+    // Adds the particle itself and the walls' part.
+    HOST_DEVICE void finish(int k, LineSums<scalar> sums) const
+    {
+        const int i = int(selected[k]);
+        const Vec3 xi = near.points[k], mi = normal[k];
+        const TangentPlane plane(mi);
+        sums.add(volume * mi.w * W.W(0), plane, Vec3{}, mi, xi.w);
+        const ContactLine line = surface.contact[k];
+        walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
+        {
+            if (a != line.wall) return;
+            const scalar sine = sin(line.theta), cosine = cos(line.theta);
+            const Vec3 m = sine * line.tangent + cosine * wall.normal, mean = mi + m;
+            const scalar inclined = cosine > 0 ? fmax(sine, dot(mi, line.tangent)) : sine;
+            const Vec3 r = -fmax(fromContactLine(wall.distance, line, inclined), 0) * alongFromLine(wall, line);
+            const Vec3 t = r - dot(r, mean) / fmax(squared(mean), 1e-6f) * mean;
+            sums.add(extended(line.theta, wall.distance / W.h, line.depth / W.h).value, plane, t, m, xi.w);
+        });
+        constexpr scalar leastVariance = 1e-4f;         // in supports squared
+        const scalar kappa = fmin(fmax(traceOfLine(sums, leastVariance * W.h * W.h), -largest), largest);
+        curvature[k] = broughtUp(kappa, sums.of[sums.depths] / sums.of[sums.w]);
+    }
+};
+
+}
+
+RegressedCurvature::RegressedCurvature(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface, scalar sigma)
+:
+    surface_(surface)
+{
+    requireSurface(coeffs, liquid, walls, surface, sigma);
+}
+
+CurvatureField RegressedCurvature::operator()(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
+{
+    const WendlandC2 W = surface_.kernel();
+    if (!extended_) extended_.emplace(W, walls.contactAngles(W.h), weightsByDepth(W, surface_.steepest()), WedgePart::ahead);
+    const int room = surface_.particles().indices.size();
+    CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
+    const FreeSurfaceView view = surface_.view();
+    forEach(surface_.particles(), OutwardNormal{surface_.steepest(), view, field.normal.span()});
+    forEachGroup(surface_.particles(), Regress
+    {
+        W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), near.wide(surface_.particles(), surface_.position()),
+        surface_.particles().indices.span(), extended_->view(), walls.view(), field.curvature.span()
+    });
+    return field;
+}
+
+}
