@@ -91,11 +91,8 @@ class ContinuumSurfaceForce : public CurvatureTension<PairCurvature>
 public:
     ContinuumSurfaceForce(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface)
     :
-        CurvatureTension(coeffs, liquid, walls, surface),
-        capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
+        CurvatureTension(coeffs, liquid, walls, surface)
     {}
-
-    void begin(scalar dt) override { dt_ = dt; }
 
 private:
     void add
@@ -114,18 +111,10 @@ private:
         forEachTeam(surface_.particles(), Force
         {
             W, {sums_.span(), parts_.span(), most}, sigma_, liquid.restDensity(), surface_.steepest(),
-            alongPart(), near.view(), surface_.view(), field.normal.span(), field.curvature.span(), surface_.gradient(), factor, target.span()
+            followed(), near.view(), surface_.view(), field.normal.span(), field.curvature.span(), surface_.gradient(), factor, target.span()
         });
     }
 
-    // Of the part along the surface: less in steps longer than the capillary one.
-    scalar alongPart() const
-    {
-        const scalar shorter = capillaryStep_ / dt_;
-        return fmin(1, shorter * shorter);
-    }
-
-    scalar capillaryStep_, dt_ = 0;         // the step: 0 before the first
     Buffer<scalar> sums_, parts_;           // J and psi (SurfaceLayer.H)
 };
 

@@ -78,7 +78,7 @@ struct Press
     static constexpr scalar farthest = 0.3f;        // R from 1
 
     WendlandC2 W;
-    scalar sigma, restDensity;
+    scalar sigma, restDensity, followed;            // followed: share of what single curvatures differ by from their mean
     NeighbourView near;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                        // with w = b
@@ -110,7 +110,8 @@ struct Press
         planar = team.sum(planar);
         disorder = team.sum(disorder);
         if (!first) return;
-        const scalar jump = sigma * steadied(own, weight > 0 ? kappas / weight : own);
+        const scalar mean = weight > 0 ? kappas / weight : own;
+        const scalar jump = sigma * steadied(mean + followed * (own - mean), mean);
         const Vec3 G = gradient[k];
         gradient[k].w = lowestBehind(jump, G.w);
         const scalar more = fmin(fmax(disorder / fmax(planar, 1e-20f), -farthest), farthest);
@@ -155,7 +156,7 @@ private:
         );
         forEachTeam(surface_.particles(), Press
         {
-            surface_.kernel(), sigma_, liquid.restDensity(), near.view(), view, field.normal.span(), field.curvature.span(),
+            surface_.kernel(), sigma_, liquid.restDensity(), followed(), near.view(), view, field.normal.span(), field.curvature.span(),
             open.span(), surface_.gradient(), factor, target.span()
         });
     }
