@@ -164,10 +164,11 @@ std::optional<ProfileFit> fitProfile(const std::vector<MeridianPoint>& points)
     // A puddle has another minimum where l is as long as the puddle is wide, which is not the least.
     const ProfileSearch search(points, widest);
     const double shortest = std::log(widest/30), longest = std::log(10*widest);        // of l
+    Unknowns start{apex/widest, std::log(apexRadiusOf(points, apex, widest)), 0};
     Minimum least{{}, HUGE_VAL};
     for (const double l : {1.0, 0.3, 0.1})
     {
-        const Unknowns start{apex/widest, std::log(apexRadiusOf(points, apex, widest)), std::log(l*widest)};
+        start[2] = std::log(l*widest);
         const Minimum found = descend(search, start, shortest, longest);
         if (found.squares < least.squares) least = found;
     }

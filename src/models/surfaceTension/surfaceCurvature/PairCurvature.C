@@ -59,32 +59,22 @@ struct Curvature
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
-        GroupOfParticles group{};
-        Vec3 normals[Group::most];
-        scalar own[Group::most];
-        #pragma unroll
-        for (int p = 0; p < Group::most; ++p)
-        {
-            group.index[p] = places[p];
-            normals[p] = normal[places[p]];
-            own[p] = near.points[places[p]].w;
-            if (p < places.size && squared(normals[p]) > 0) group.members |= 1u << p;
-        }
+        const SurfaceGroup group(places, normal, near);
         Team::Scalar spreads[Group::most] = {}, weights[Group::most] = {}, depths[Group::most] = {};
-        near.forEach(group, [&](auto l) { return normal[l]; }, [&](int p, auto other, auto r)
+        near.forEach(group.members, [&](auto l) { return normal[l]; }, [&](int p, auto other, auto r)
         {
-            const auto same = onSameSurface(normals[p], other);
+            const auto same = onSameSurface(group.normal[p], other);
             if (noneOf(same)) return;
-            const auto mean = normals[p] + other;
+            const auto mean = group.normal[p] + other;
             const auto slope = same ? -volume * other.w * W.g(norm(r)) : 0;
             const auto up = dot(r, mean);
             const auto along = same ? slope * (squared(r) - up * up / squared(mean)) : 0;
-            spreads[p] -= slope * dot(r, other - normals[p]);
+            spreads[p] -= slope * dot(r, other - group.normal[p]);
             weights[p] += along;
-            depths[p] += along * 0.5f * (own[p] + r.w);
+            depths[p] += along * 0.5f * (group.depth[p] + r.w);
         }, team);
         const scalar spread = team.sums(spreads), weight = team.sums(weights), depth = team.sums(depths);
-        if ((group.members >> team.lane & 1) == 0) return;
+        if (!group.has(team.lane)) return;
         const int k = places.first + team.lane;
         addWalls(k, spread, weight, depth);
     }

@@ -91,27 +91,18 @@ struct Regress
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
-        GroupOfParticles group{};
-        Vec3 m[Group::most];
+        const SurfaceGroup group(places, normal, near);
         TangentPlane plane[Group::most];
-        scalar own[Group::most];
         LineSums<Team::Scalar> sums[Group::most];
         #pragma unroll
-        for (int p = 0; p < Group::most; ++p)
+        for (int p = 0; p < Group::most; ++p) plane[p] = TangentPlane(group.normal[p]);
+        near.forEach(group.members, [&](auto l) { return normal[l]; }, [&](int p, auto other, auto r)
         {
-            group.index[p] = places[p];
-            m[p] = normal[places[p]];
-            plane[p] = TangentPlane(m[p]);
-            own[p] = near.points[places[p]].w;
-            if (p < places.size && squared(m[p]) > 0) group.members |= 1u << p;
-        }
-        near.forEach(group, [&](auto l) { return normal[l]; }, [&](int p, auto other, auto r)
-        {
-            const auto same = onSameSurface(m[p], other);
+            const auto same = onSameSurface(group.normal[p], other);
             if (noneOf(same)) return;
-            const auto mean = m[p] + other;
+            const auto mean = group.normal[p] + other;
             const auto across = same ? dot(r, mean) / squared(mean) : 0;
-            sums[p].add(same ? volume * other.w * W.W(norm(r)) : 0, plane[p], across * mean - r, other, 0.5f * (own[p] + r.w));
+            sums[p].add(same ? volume * other.w * W.W(norm(r)) : 0, plane[p], across * mean - r, other, 0.5f * (group.depth[p] + r.w));
         }, team);
         LineSums<scalar> all;
         #pragma unroll
@@ -122,7 +113,7 @@ struct Regress
             for (int p = 0; p < Group::most; ++p) parts[p] = sums[p].of[n];
             all.of[n] = team.sums(parts);
         }
-        if ((group.members >> team.lane & 1) != 0) finish(places.first + team.lane, all);
+        if (group.has(team.lane)) finish(places.first + team.lane, all);
     }
 
 private:
