@@ -193,7 +193,7 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
     });
     forEachTeam(particles_, Reconstruct
     {
-        liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view()}, {plane_.span(), kernel_->h}, steepest_},
+        liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view()}, plane(), steepest_},
         depthOfRatio_.span(), largestRatio_, suction_, place, gradient_.span(), position_.span(), contact_.span()
     });
 }

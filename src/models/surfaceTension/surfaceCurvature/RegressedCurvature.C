@@ -8,18 +8,39 @@ namespace
 
 struct OutwardNormal
 {
+    HalfSpaceView plane;                    // of the surface's kernel
     scalar steepest;                        // the planar |G|
     FreeSurfaceView surface;
-    Span<Vec3> normal;                      // with w = b; zero away from the surface
+    WallView walls;
+    Span<Vec3> normal;                      // with w = beta; zero away from the surface
 
     HOST_DEVICE void operator()(int i) const
     {
         const int k = int(surface.place[i]);
         const Vec3 G = surface.gradient[k];
         const scalar slope = norm(G);
-        Vec3 m = slope > leastSlope * steepest ? -1 / slope * G : Vec3{};
-        m.w = surfaceWeight(slope / steepest);
+        if (!(slope > leastSlope * steepest))
+        {
+            normal[k] = {};
+            return;
+        }
+        Vec3 m = -1 / slope * G;
+        scalar weight = surfaceWeight(slope / steepest);
+        walls.forEachContact(i, surface.position[k], plane.h, [&](int, const WallContact& wall)
+        {
+            weight *= trust(1 - 2 * plane(wall.distance).density, dot(m, wall.normal));
+        });
+        m.w = weight;
         normal[k] = m;
+    }
+
+private:
+    // own: 1 - 2 w. inclination: m.n.
+    HOST_DEVICE static scalar trust(scalar own, scalar inclination)
+    {
+        constexpr scalar upright = 2;       // the power at 90 degrees: puts lattices at walls right (TestRegressedCurvature)
+        constexpr scalar least = 0.01f;     // own
+        return pow(fmax(own, least), upright * (1 - inclination));
     }
 };
 
@@ -82,7 +103,7 @@ struct Regress
     WendlandC2 W;
     scalar volume, largest;
     FreeSurfaceView surface;
-    Span<const Vec3> normal;                // with w = b
+    Span<const Vec3> normal;                // with w = beta
     SelectedSearch near;                    // among positions with w = depth
     Span<const std::uint32_t> selected;
     ExtendedLiquidView extended;
@@ -157,7 +178,7 @@ CurvatureField RegressedCurvature::operator()(const Liquid& liquid, const Neighb
     const int room = surface_.particles().indices.size();
     CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
     const FreeSurfaceView view = surface_.view();
-    forEach(surface_.particles(), OutwardNormal{surface_.steepest(), view, field.normal.span()});
+    forEach(surface_.particles(), OutwardNormal{surface_.plane(), surface_.steepest(), view, walls.view(), field.normal.span()});
     forEachGroup(surface_.particles(), Regress
     {
         W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), near.wide(surface_.particles(), surface_.position()),
