@@ -94,6 +94,7 @@ StoredStudies::StoredStudies()
             sets.number(i, "maxCapillaryCo")
         });
     }
+    if (sets_.empty()) throw FatalInputError({"etc/advice/modelSets.csv", 1}, "There is no model set", "the default's first, then others");
 }
 
 // Of the runs of the scene and the model set `asked`, at its parameter, particles and choice.

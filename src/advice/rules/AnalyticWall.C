@@ -17,7 +17,7 @@ public:
     std::optional<Advice> advise(Scene& scene) const override
     {
         // What the rung was run with.
-        if (scene.models.at("surfaceTension") != "continuumSurfaceForce") return std::nullopt;
+        if (scene.models.at("surfaceTension") != scene.studies->standard().surfaceTension) return std::nullopt;
         for (SceneWall& wall : scene.walls)
         {
             if (wall.type != "particles") continue;

@@ -19,9 +19,9 @@ public:
     {
         const auto own = scene.modelSet();
         const SceneAnswer answer = scene.answer();
-        const auto standard = scene.studies->modelSet("completedPbf", "continuumSurfaceForce", "extendedSurface");
-        if (!scene.hasTension() || answer.scene.empty() || !standard) return std::nullopt;
-        if (own && own->name == standard->name) return std::nullopt;
+        const ModelSet& standard = scene.studies->standard();
+        if (!scene.hasTension() || answer.scene.empty()) return std::nullopt;
+        if (own && own->name == standard.name) return std::nullopt;
         const auto error = [&](const ModelSet& set)
         {
             return scene.studies->error
@@ -29,7 +29,7 @@ public:
                 answer.scene, answer.parameter, set.name, scene.particles(scene.smallest()), set.maxCapillaryCo
             );
         };
-        const auto best = error(*standard), present = own ? error(*own) : std::nullopt;
+        const auto best = error(standard), present = own ? error(*own) : std::nullopt;
         if (!best) return std::nullopt;
         Advice advice
         {
@@ -41,7 +41,7 @@ public:
         advice.verdict = "take the default's models";
         const std::vector<std::pair<std::string, std::string>> models
         {
-            {"pressure", standard->pressure}, {"surfaceTension", standard->surfaceTension}, {"wetting", standard->wetting}
+            {"pressure", standard.pressure}, {"surfaceTension", standard.surfaceTension}, {"wetting", standard.wetting}
         };
         for (const auto& [kind, model] : models)
         {

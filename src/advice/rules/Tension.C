@@ -55,8 +55,9 @@ public:
             scene.models[kind] = model;
         };
         advice.verdict = needed ? "switch on: the scene needs it" : "leave out, and wetting with it";
-        choose("surfaceTension", needed ? "continuumSurfaceForce" : "none");
-        choose("wetting", wets ? "extendedSurface" : "none");
+        const ModelSet& standard = scene.studies->standard();
+        choose("surfaceTension", needed ? standard.surfaceTension : "none");
+        choose("wetting", wets ? standard.wetting : "none");
         return advice;
     }
 

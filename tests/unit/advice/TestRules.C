@@ -30,7 +30,7 @@ protected:
         scene_.duration = 0.05;
         scene_.models =
         {
-            {"pressure", "completedPbf"}, {"surfaceTension", "continuumSurfaceForce"}, {"wetting", "extendedSurface"},
+            {"pressure", "completedPbf"}, {"surfaceTension", "laplacePressure"}, {"wetting", "extendedSurface"},
             {"viscosity", "XSPH"}, {"bodyForce", "none"}, {"particleShifting", "none"}
         };
         scene_.maxCapillaryCo = 0.7;
@@ -84,7 +84,7 @@ TEST_F(RuleTest, tensionOfWhatIsHeavyOrFast)
     EXPECT_EQ(changes(ask("tension", effect*(1 + close))), "surfaceTension=none wetting=none");
     scene_.models["surfaceTension"] = scene_.models["wetting"] = "none";
     EXPECT_EQ(changes(ask("tension", effect*(1 + close))), "");
-    EXPECT_EQ(changes(ask("tension", effect*(1 - close))), "surfaceTension=continuumSurfaceForce wetting=extendedSurface");
+    EXPECT_EQ(changes(ask("tension", effect*(1 - close))), "surfaceTension=laplacePressure wetting=extendedSurface");
 }
 
 TEST_F(RuleTest, tensionStopsWhatSpreads)
@@ -185,7 +185,7 @@ TEST_F(RuleTest, formulationOfTheLeastError)
     scene_.models["surfaceTension"] = "Fujisawa2014";
     scene_.models["wetting"] = "contactAngle";
     const auto advice = ask("formulation", 0.05);   // 30 % against 10 % at 2000 particles
-    EXPECT_EQ(changes(advice), "pressure=completedPbf surfaceTension=continuumSurfaceForce wetting=extendedSurface");
+    EXPECT_EQ(changes(advice), "pressure=completedPbf surfaceTension=laplacePressure wetting=extendedSurface");
     EXPECT_TRUE(holds(advice->reason, {"the default " + percent(typical(60, 2000, 0.7)), "the case's models 30 %"}));
 }
 
@@ -352,7 +352,7 @@ TEST_F(RuleTest, stepsOfAFrontAreOfWeight)
     EXPECT_EQ(changes(ask("spacing", 0.5)), "");
     // With tension, which is not felt in a vessel from Bo = rho g D^2/sigma = 1/tolerance on.
     const double bond = 1000*std::pow(diameter(), 2)/0.07;
-    scene_.models["surfaceTension"] = "continuumSurfaceForce";
+    scene_.models["surfaceTension"] = "laplacePressure";
     scene_.tolerance = (1 + close)/bond;
     EXPECT_NE(scene_.answer().scene, "damBreak");
     scene_.walls.push_back({"tank", "box", {}, {}, {}, {}});

@@ -75,8 +75,8 @@ TEST_F(StoredStudiesTest, whatWasNotRunIsNotKnown)
 TEST_F(StoredStudiesTest, modelSetsAreFoundByTheirModels)
 {
     EXPECT_EQ(studies_->modelSet("pbf", "Fujisawa2014", "contactAngle")->name, "other");
-    EXPECT_EQ(studies_->modelSet("completedPbf", "continuumSurfaceForce", "none")->name, "default");
-    EXPECT_FALSE(studies_->modelSet("pbf", "continuumSurfaceForce", "extendedSurface"));
+    EXPECT_EQ(studies_->modelSet("completedPbf", "laplacePressure", "none")->name, "default");
+    EXPECT_FALSE(studies_->modelSet("pbf", "laplacePressure", "extendedSurface"));
 }
 
 TEST_F(StoredStudiesTest, timesOfASubStep)
