@@ -122,7 +122,7 @@ TEST(ShippedStudies, tellOfTheDefault)
     EXPECT_GT(*studies.scatter("default"), 1);
     EXPECT_LT(*studies.scatter("default"), 3);
     EXPECT_TRUE(studies.calmSteps("default"));
-    EXPECT_TRUE(studies.stepTime("cuda", "NVIDIA H200", 20000));
+    EXPECT_TRUE(studies.stepTime("cuda", "NVIDIA H100 80GB HBM3", 20000));
     EXPECT_TRUE(studies.stepTime("cpu", "any", 20000));
 }
 
