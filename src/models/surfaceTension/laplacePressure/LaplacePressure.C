@@ -15,6 +15,9 @@
 // the force of single particles would leave alone those that stand out of the surface, and liquid would evaporate. o: how much more than
 // the sum alone the pressure's model makes of that difference (FreeSurface::ordering()).
 //
+// The rim of a film on a wall that wets wholly is hollow, and pulled outwards. Liquid behind it that is stretched does not follow, so that
+// particles of the rim would leave one by one: the pull ends where the liquid at the wall is diluted, from 5 % on, wholly at 20 %.
+//
 // Walls let liquid come as near as layers of it lie apart, and no nearer (Walls::admitLayers).
 //
 // Needs a pressure whose force is that sum over pairs; completedPbf completes its gradient along surfaces and walls then.
@@ -41,6 +44,7 @@ struct OpenSide
 {
     scalar planar;                          // g
     scalar disorder;                        // o times what it misses more
+    scalar filled;                          // next to a wall the density over that of a planar surface at this depth; 1 elsewhere
 };
 
 template<class Kernel>
@@ -49,7 +53,8 @@ struct MeasureOpenSide
     static constexpr Holds holds = Holds::more;
 
     Kernel W;
-    scalar volume, ordering;
+    scalar volume, densityVolume;           // V, V/S
+    scalar spacing, ordering;
     Span<const Vec3> x;
     NeighbourView near;
     WallCompletion walls;                   // of the density's kernel
@@ -62,20 +67,31 @@ struct MeasureOpenSide
         const int k = int(surface.place[i]);
         const Vec3 xi = x[i];
         Team::Vector slopes;
-        near.forEach(i, xi, x, [&](auto, auto r) { slopes += volume * W.g(norm(r)) * r; }, team);
+        Team::Scalar filled{};
+        near.forEach(i, xi, x, [&](auto, auto r)
+        {
+            const auto distance = norm(r);
+            slopes += volume * W.g(distance) * r;
+            filled += W.W(distance);
+        }, team);
         const Vec3 ofLiquid = team.sum(slopes);
+        const scalar density = densityVolume * (W.W(0) + team.sum(filled));
         const auto wall = walls(i, xi, surface.contact[k], team);
         if (!team.first()) return;
         const Vec3 G = surface.gradient[k];
-        const scalar planar = plane(surface.position[k].w).gradient;
+        const HalfSpaceValues gas = plane(surface.position[k].w);
+        const scalar planar = gas.gradient;
+        const scalar atWall = fmin(wall.value / plane(0.5f * spacing).density, 1);
         const scalar missing = dot(ofLiquid + wall.gradient, G) / fmax(norm(G), 1e-20f);
-        open[k] = {planar, ordering * (missing - planar)};
+        open[k] = {planar, ordering * (missing - planar), 1 - atWall * (1 - (density + wall.value) / (1 - gas.density))};
     }
 };
 
 struct Press
 {
     static constexpr scalar farthest = 0.3f;        // R from 1
+    // Of a film at a wall, the density over a planar surface's below which it pulls nothing on, and from which it does wholly.
+    static constexpr scalar torn = 0.8f, whole = 0.95f;
 
     WendlandC2 W;
     scalar sigma, restDensity, followed;            // followed: share of what single curvatures differ by from their mean
@@ -97,6 +113,7 @@ struct Press
         const bool first = team.first();
         scalar weight = first ? W.W(0) * mi.w : 0, kappas = weight * own;
         scalar planar = first ? W.W(0) * open[k].planar : 0, disorder = first ? W.W(0) * open[k].disorder : 0;
+        scalar all = first ? W.W(0) : 0, filled = all * open[k].filled;
         forEachOnSurface(i, mi, near, surface, normal, [&](int l, Vec3 other)
         {
             const scalar w = W.W(norm(surface.position[l] - xi));
@@ -104,14 +121,19 @@ struct Press
             kappas += w * other.w * curvature[l];
             planar += w * open[l].planar;
             disorder += w * open[l].disorder;
+            all += w;
+            filled += w * open[l].filled;
         }, team);
         weight = team.sum(weight);
         kappas = team.sum(kappas);
         planar = team.sum(planar);
         disorder = team.sum(disorder);
+        all = team.sum(all);
+        filled = team.sum(filled);
         if (!first) return;
         const scalar mean = weight > 0 ? kappas / weight : own;
-        const scalar jump = sigma * steadied(mean + followed * (own - mean), mean);
+        scalar jump = sigma * steadied(mean + followed * (own - mean), mean);
+        if (jump < 0) jump *= fmin(fmax((filled / all - torn) / (whole - torn), 0), 1);
         const Vec3 G = gradient[k];
         gradient[k].w = lowestBehind(jump, G.w);
         const scalar more = fmin(fmax(disorder / fmax(planar, 1e-20f), -farthest), farthest);
@@ -148,7 +170,8 @@ private:
             {
                 forEachTeam(surface_.particles(), MeasureOpenSide<Kernel>
                 {
-                    W, liquid.particleVolume(), surface_.ordering(), liquid.predicted.span(), near.view(),
+                    W, liquid.particleVolume(), liquid.particleVolume() / liquid.latticeSum(), liquid.spacing(), surface_.ordering(),
+                    liquid.predicted.span(), near.view(),
                     {extended_->view(), W.h, walls.view()}, view, {plane_.span(), W.h}, open.span()
                 });
             },
