@@ -3,6 +3,7 @@
 #include "core/fieldFile/AtomicFile.H"
 #include "study/Gnuplot.H"
 
+#include <algorithm>
 #include <iostream>
 #include <sstream>
 
@@ -61,6 +62,12 @@ std::string ticsOf(const StudyAxis& axis)
     return "(" + tics + ")";
 }
 
+// Whether a name is wider than its column.
+bool namesOverlap(const StudyAxis& axis)
+{
+    return std::ranges::any_of(axis.choices, [](const CaseChoice& choice) { return choice.name.size() > 13; });
+}
+
 }
 
 MapLayout MapLayout::read(const Study& study)
@@ -99,7 +106,7 @@ void drawMaps
                  << quotedForGnuplot(layout.title + (name.empty() ? "" : ": " + name)) << '\n'
                  << "set xrange [-0.5:" << double(x.choices.size()) - 0.5 << "]\n"
                  << "set yrange [-0.5:" << double(y.choices.size()) - 0.5 << "]\n"
-                 << "set xtics " << ticsOf(x) << "; set ytics " << ticsOf(y) << "; set tics scale 0\n"
+                 << "set xtics" << (namesOverlap(x) ? " rotate by -20 " : " ") << ticsOf(x) << "; set ytics " << ticsOf(y) << "; set tics scale 0\n"
                  << "set xlabel " << quotedForGnuplot(layout.xLabel) << "; set ylabel " << quotedForGnuplot(layout.yLabel) << '\n';
         int object = 0;
         for (const std::size_t i : runs)
