@@ -21,7 +21,8 @@
 // Walls let liquid come as near as layers of it lie apart, and no nearer (Walls::admitLayers).
 //
 // Needs a pressure whose force is that sum over pairs; completedPbf completes its gradient along surfaces and walls then.
-// sigma and theta are the user's; no number here was chosen by trial but the bounds of R, which is 1.1 in calm drops.
+// sigma and theta are the user's; no number here was chosen by trial but the bounds of R, which is 1.1 in calm drops,
+// and the densities between which the pull on a film ends.
 // Where the surface is hollow the pressure behind it may fall to 1.5 sigma kappa, and to -sigma/d away from the surface.
 // Why, and what each part gives: doc/theory/laplacePressure.md.
 //
