@@ -4,8 +4,8 @@
 // all threads that OpenMP has.
 
 #include "device/Algorithms.H"
+#include "models/density/ConstraintSums.H"
 #include "models/density/Density.H"
-#include "models/pressure/shared/ConstraintSums.H"
 #include "support/PointSets.H"
 
 #include <benchmark/benchmark.h>

@@ -20,10 +20,10 @@
 //         warmStart       yes;
 //     }
 
+#include "models/density/ConstraintSums.H"
 #include "models/density/Density.H"
 #include "models/pressure/Pressure.H"
 #include "models/pressure/shared/AverageCompression.H"
-#include "models/pressure/shared/ConstraintSums.H"
 #include "models/pressure/shared/IterationControls.H"
 #include "models/pressure/shared/PushApart.H"
 

@@ -14,11 +14,11 @@
 //         unilateral      yes;        // C < 0 counts as 0: pressure pushes, never pulls
 //     }
 
+#include "models/density/ConstraintSums.H"
 #include "models/density/Density.H"
 #include "models/pressure/Pressure.H"
 #include "models/pressure/shared/AddPressure.H"
 #include "models/pressure/shared/AverageCompression.H"
-#include "models/pressure/shared/ConstraintSums.H"
 #include "models/pressure/shared/PressureControls.H"
 
 namespace shizuku

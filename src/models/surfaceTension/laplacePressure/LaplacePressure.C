@@ -30,6 +30,7 @@
 //     laplacePressureCoeffs { support 3.25; }         // of the normals and the curvature, in spacings; at least 1.5 of the kernel's
 
 #include "device/Holds.H"
+#include "models/density/ConstraintSums.H"
 #include "models/surfaceTension/surfaceCurvature/CurvatureTension.H"
 #include "models/surfaceTension/surfaceCurvature/RegressedCurvature.H"
 #include "walls/HalfSpace.H"
@@ -66,25 +67,16 @@ struct MeasureOpenSide
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const int k = int(surface.place[i]);
-        const Vec3 xi = x[i];
-        Team::Vector slopes;
-        Team::Scalar filled{};
-        near.forEach(i, xi, x, [&](auto, auto r)
-        {
-            const auto distance = norm(r);
-            slopes += volume * W.g(distance) * r;
-            filled += W.W(distance);
-        }, team);
-        const Vec3 ofLiquid = team.sum(slopes);
-        const scalar density = densityVolume * (W.W(0) + team.sum(filled));
-        const auto wall = walls(i, xi, surface.contact[k], team);
+        const ConstraintSums liquid = constraintSums(W, volume, i, x, near, team);
+        const auto wall = walls(i, x[i], surface.contact[k], team);
         if (!team.first()) return;
         const Vec3 G = surface.gradient[k];
         const HalfSpaceValues gas = plane(surface.position[k].w);
         const scalar planar = gas.gradient;
+        const scalar density = (densityVolume * liquid.W + wall.value) / (1 - gas.density);
         const scalar atWall = fmin(wall.value / plane(0.5f * spacing).density, 1);
-        const scalar missing = dot(ofLiquid + wall.gradient, G) / fmax(norm(G), 1e-20f);
-        open[k] = {planar, ordering * (missing - planar), 1 - atWall * (1 - (density + wall.value) / (1 - gas.density))};
+        const scalar missing = dot(liquid.gradient + wall.gradient, G) / fmax(norm(G), 1e-20f);
+        open[k] = {planar, ordering * (missing - planar), 1 - atWall * (1 - density)};
     }
 };
 
