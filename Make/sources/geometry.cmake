@@ -35,6 +35,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     geometry/drops/DropTable.C
     geometry/drops/Drops.C
     geometry/drops/PrescribedAngle.C
+    geometry/drops/ProfileFoot.C
     geometry/liquidBodies/BoxBody.C
     geometry/liquidBodies/CapBody.C
     geometry/liquidBodies/CylinderBody.C

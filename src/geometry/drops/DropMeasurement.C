@@ -3,6 +3,7 @@
 #include "geometry/CaseGravity.H"
 #include "geometry/PointsInside.H"
 #include "geometry/UnitVector.H"
+#include "geometry/drops/ProfileFoot.H"
 
 #include <algorithm>
 #include <limits>
@@ -99,6 +100,11 @@ DropRecord DropMeasurement::measureDrop
         {
             record.capillaryLength = profile->capillaryLength;
             record.sigma = density_*length(gravity_)*std::pow(profile->capillaryLength, 2);
+            if (const auto foot = footOf(*profile, centroid, -normalized(gravity_), *wall_))
+            {
+                record.profileRadius = foot->radius;
+                record.profileAngle = foot->angle;
+            }
         }
     }
     return record;

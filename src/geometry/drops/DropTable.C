@@ -18,7 +18,8 @@ CsvFile dropTable(const std::filesystem::path& file)
             {"volumeDrift", "%"}, {"volumeDriftSinceFirst", "%"},
             {"centroidX", "m"}, {"centroidY", "m"}, {"centroidZ", "m"}, {"residual", "spacings"},
             {"tangentMean", "deg"}, {"tangentMin", "deg"}, {"tangentMax", "deg"}, {"advancing", "deg"}, {"receding", "deg"},
-            {"capillaryLength", "m"}, {"sigma", "N/m"}, {"lineRadius", "m"}
+            {"capillaryLength", "m"}, {"sigma", "N/m"}, {"lineRadius", "m"},
+            {"profileRadius", "m"}, {"profileAngle", "deg"}
         }
     );
 }
@@ -33,7 +34,7 @@ void addRow(CsvFile& table, const DropRecord& record)
         100*record.particleDrift, 100*record.firstDrift,
         record.centroid.x, record.centroid.y, record.centroid.z, shape.residual,
         shape.mean, shape.min, shape.max, shape.advancing, shape.receding,
-        record.capillaryLength, record.sigma, shape.lineRadius
+        record.capillaryLength, record.sigma, shape.lineRadius, record.profileRadius, record.profileAngle
     });
 }
 
@@ -78,6 +79,11 @@ std::string report(const DropRecord& record, const std::string& wall)
             line("capillary length") << fixed(1e3*record.capillaryLength, 3) << " mm";
             if (!std::isnan(record.sigma)) out << ", sigma " << fixed(1e3*record.sigma, 2) << " mN/m";
             out << '\n';
+        }
+        if (!std::isnan(record.profileRadius))
+        {
+            line("by the profile") << fixed(record.profileAngle, 2) << " deg, contact radius "
+                << fixed(1e3*record.profileRadius, 4) << " mm\n";
         }
     }
     else

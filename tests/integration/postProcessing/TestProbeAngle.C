@@ -142,10 +142,13 @@ TEST_F(DropCase, ProbeAngleFitsTheSurfaceTensionUnderGravity)
     EXPECT_NEAR(number(upright.at("sigma"))/(1000*10*l*l), 1, 0.02);
     EXPECT_NEAR(number(upright.at("tangentMean")), 80, 2);
     EXPECT_NEAR(number(upright.at("lineRadius")), profile.contactRadius(), 0.1*spacing);
+    EXPECT_NEAR(number(upright.at("profileRadius")), profile.contactRadius(), 0.03*spacing);
+    EXPECT_NEAR(number(upright.at("profileAngle")), 80, 0.5);
     EXPECT_EQ(upright.at("advancing"), "nan");                  // the wall is no slope
     // Neither on a slope nor below a ceiling is the drop axisymmetric about the wall's normal and standing.
     const auto slope = measure("(5 0 -8)");
     EXPECT_EQ(slope.at("sigma"), "nan");
+    EXPECT_EQ(slope.at("profileRadius"), "nan");
     EXPECT_NE(slope.at("advancing"), "nan");
     EXPECT_EQ(measure("(0 0 10)").at("capillaryLength"), "nan");
 }

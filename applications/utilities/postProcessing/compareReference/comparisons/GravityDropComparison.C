@@ -1,9 +1,10 @@
 // type gravityDrop;  theta 60;  within 2;
 // Height and contact radius of a drop on the wall z = 0 under gravity against the profile of Bashforth and Adams of its
 // volume, in percent, and the surface tension by the profile that fits it best, which is asked of drops that are as large
-// as the capillary length. The contact radius is where the surface's tangents meet the wall: the mesh's foot is rounded, by 0.4
-// spacings. Of a drop that overhangs the largest radius as well, as it is seen from above. Measured on the mesh of the latest
-// time. profile.csv holds the measured outline, radius by height, beside the exact one.
+// as the capillary length. Contact radius and angle are those of that profile where it meets the wall: the mesh's foot is
+// rounded by 0.4 spacings, and tangents miss a puddle's rim, which bends within a few. Where no profile fits, the radius is
+// that of the tangents. Of a drop that overhangs the largest radius as well, as it is seen from above. Measured on the mesh
+// of the latest time. profile.csv holds the measured outline, radius by height, beside the exact one.
 
 #include "Comparison.H"
 #include "LargestDrops.H"
@@ -35,14 +36,17 @@ public:
         const std::size_t last = drops.last();
         const double height = drops.number(last, "height");
         const double radius = std::sqrt(drops.number(last, "coveredArea")/std::numbers::pi);
+        const double byProfile = drops.number(last, "profileRadius");
+        const double contactRadius = std::isnan(byProfile) ? drops.number(last, "lineRadius") : byProfile;
         const double sigmaWithin = results.radius() > 0.99*l ? 3 : std::nan("");        // percent
         writeProfile(results, exact);
         return
         {
             relativeRow("height", "m", exact.height(), height, within_),
-            relativeRow("contact radius", "m", exact.contactRadius(), drops.number(last, "lineRadius"), within_),
+            relativeRow("contact radius", "m", exact.contactRadius(), contactRadius, within_),
             relativeRow("largest radius", "m", widest, radius, theta_ > 90 ? within_ : std::nan("")),
             relativeRow("surface tension", "N/m", results.sigma, drops.number(last, "sigma"), sigmaWithin),
+            absoluteRow("contact angle by the profile", "deg", theta_, drops.number(last, "profileAngle"), std::nan("")),
             relativeRow("height of a puddle", "m", 2*l*std::sin(radians(theta_)/2), height, std::nan(""))
         };
     }
