@@ -2,6 +2,7 @@
 set(SHIZUKU_CASE_RUNS_SOURCES
     caseRuns/CaseRecord.C
     caseRuns/CaseRuns.C
+    caseRuns/MultiProcessService.C
     caseRuns/Places.C
     caseRuns/RunningCase.C
 )

@@ -134,6 +134,39 @@ TEST_F(RunCases, GoesRoundTheGpus)
     EXPECT_EQ(read("a/log.runCases"), "0\n5\n");
 }
 
+TEST_F(RunCases, SharesAGpuByTheMultiProcessService)
+{
+    const auto tool = [&](const std::string& name, const std::string& lines)
+    {
+        const fs::path file = folder_.write("bin/" + name, "#!/bin/sh\n" + lines);
+        fs::permissions(file, fs::perms::owner_all);
+    };
+    const std::string path = "PATH='" + (folder_.path()/"bin").string() + "':$PATH; ";
+    writeCase("good", "test -d \"$CUDA_MPS_PIPE_DIRECTORY\" && echo \"$CUDA_MPS_PIPE_DIRECTORY\"; grep -c start ../calls");
+    writeCase("bad", "exit 1");
+    EXPECT_TRUE(holds(call("good -device cpu -mps").text, {"the cases run on the CPU"}));
+
+    tool("nvidia-smi", "echo 'GPU 0: a (UUID: x)'\n");
+    tool("nvidia-cuda-mps-control", "exit 1\n");
+    Outcome outcome = run("(" + path + command("good -mps") + ")");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(holds(outcome.text, {"multi-process service does not start", "or no -mps"}));
+    EXPECT_FALSE(exists("good/log.runCases"));
+
+    // Started once, on all GPUs, before any case, and ended although one failed.
+    tool
+    (
+        "nvidia-cuda-mps-control",
+        "if [ \"$1\" = -d ]; then echo start $CUDA_VISIBLE_DEVICES; else cat; fi >>'" + (folder_.path()/"calls").string() + "'\n"
+    );
+    outcome = run("(" + path + "export CUDA_VISIBLE_DEVICES=0; " + command("good bad -mps") + ")");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(read("calls"), "start\nquit\n");
+    const std::string log = read("good/log.runCases");
+    EXPECT_TRUE(log.ends_with("\n1\n")) << log;
+    EXPECT_FALSE(fs::exists(log.substr(0, log.find('\n'))));        // its folder has gone
+}
+
 TEST_F(RunCases, DividesTheCores)
 {
     writeCase("a", "echo $OMP_NUM_THREADS");

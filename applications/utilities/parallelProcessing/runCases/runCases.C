@@ -1,6 +1,7 @@
 // runCases: runs many cases side by side on one machine, a few at a time.
 
 #include "caseRuns/CaseRuns.H"
+#include "caseRuns/MultiProcessService.H"
 #include "core/arguments/runApplication.H"
 #include "core/messages/Error.H"
 
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 
 using namespace shizuku;
 
@@ -24,7 +26,10 @@ ApplicationInfo info()
         "runCases",
         "Runs many case folders side by side: the Allrun of each, with its output in the case's log.runCases. "
         "Cases that have finished are left out, so that the same command goes on after an interruption.",
-        {{"command", "LINE", "run this line of sh in each case instead of ./Allrun", ""}},
+        {
+            {"command", "LINE", "run this line of sh in each case instead of ./Allrun", ""},
+            {"mps", "", "let cases compute side by side on a GPU, by NVIDIA's multi-process service, started for as long", ""}
+        },
         {"cases..."},
         false
     };
@@ -84,12 +89,19 @@ void printTable(const std::vector<CaseRun>& cases)
 void runCases(const Arguments& args)
 {
     const std::vector<Place> where = places(args);
+    if (args.found("mps") && where.front().device.empty())
+    {
+        throw FatalInputError({}, "Option -mps is given, but the cases run on the CPU", "a GPU, or no -mps");
+    }
     std::vector<CaseRun> cases = readCases(args, commandOf(args));
     const auto count = [&](const auto& condition) { return std::count_if(cases.begin(), cases.end(), condition); };
     std::cout << "Cases : " << cases.size() << ", of which finished before "
               << count([](const CaseRun& each) { return each.finishedBefore; }) << "; at a time " << where.size() << "\n\n";
 
+    std::optional<MultiProcessService> sideBySide;
+    if (args.found("mps")) sideBySide.emplace();
     CaseRuns(cases, where).toTheEnd();
+    sideBySide.reset();
     printTable(cases);
 
     const auto failed = count([](const CaseRun& each) { return each.record.status == "failed"; });
