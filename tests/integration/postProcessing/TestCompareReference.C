@@ -1,8 +1,13 @@
 // What compareReference takes from probeAngle's table: which drop of which times, and how films and drops off the wall count.
 
 #include "DropCase.H"
+#include "geometry/LiquidFiles.H"
+#include "support/DropMeshes.H"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
 
 namespace shizuku::test
 {
@@ -86,6 +91,25 @@ TEST_F(CompareReference, FilmsAndDropsOffTheWall)
     writeDrops({"0,attached,10,2", "0.1,attached,170,1", "0.1,detached,nan,2"});
     EXPECT_EQ(measured("type contactAngle; theta 180; within 3;").at("off the wall"), 1);
     EXPECT_DOUBLE_EQ(measured("type contactAngle; theta 90; within 3;").at("contact angle"), 95);      // of 10 and 180
+}
+
+// A puddle of three layers, whose rim bends within as many: tangents would have its contact radius several per cent too large.
+TEST_F(CompareReference, AnExactPuddleHasItsHeightRadiusAngleAndTension)
+{
+    const double volume = double(readLiquidPositions(path()/"0").size())*std::pow(spacing, 3);
+    const double R = std::cbrt(3*volume/(4*std::numbers::pi)), bond = 4;
+    write("constant/g", "value (0 0 -" + std::to_string(0.0728*bond/(998*R*R)) + ");\n");
+    const DropProfile exact = bashforthAdamsOfVolume(volume, R/std::sqrt(bond), 60, 101);
+    std::filesystem::create_directories(path()/"0/surface");
+    writePly(path()/"0/surface/liquid.ply", revolvedMesh(exact, 0.5*spacing));
+    ASSERT_EQ(call("probeAngle").status, 0);
+    const auto found = measured("type gravityDrop; theta 60; within 2;");
+    // The mesh's cells, half a spacing, have a sagitta of 0.01 spacings on this rim: 0.3 % of the height, 0.1 of the radius.
+    EXPECT_NEAR(found.at("height")/exact.height(), 1, 0.005);
+    EXPECT_NEAR(found.at("contact radius")/exact.contactRadius(), 1, 0.002);
+    EXPECT_NEAR(found.at("contact angle by the profile"), 60, 0.5);
+    EXPECT_NEAR(found.at("surface tension")/0.0728, 1, 0.01);
+    EXPECT_GT(number(table("postProcessing/probeAngle/0/angle.csv").at(0).at("lineRadius"))/exact.contactRadius(), 1.03);
 }
 
 TEST_F(CompareReference, ATableWithoutDropsIsRefused)
