@@ -19,6 +19,9 @@ function(shizuku_backend backend)
     target_include_directories(${library} SYSTEM PRIVATE ${ARG_INCLUDE})
     target_compile_options(${library} PRIVATE ${ARG_FLAGS})
     target_link_libraries(${library} PUBLIC shizukuCore shizukuGeometry ${ARG_LINK})
+    if(ARG_LANGUAGE STREQUAL CXX)
+        target_precompile_headers(${library} PRIVATE ${SHIZUKU_PRECOMPILED})
+    endif()
 
     foreach(path IN LISTS SHIZUKU_DEVICE_APPLICATIONS)
         get_filename_component(name ${path} NAME)
@@ -56,6 +59,9 @@ function(shizuku_backend backend)
         target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
         target_compile_options(${name} PRIVATE ${ARG_FLAGS} -O1)     # short runs: quick to compile counts
         target_link_libraries(${name} PRIVATE ${library} GTest::gtest)
+        if(ARG_LANGUAGE STREQUAL CXX)
+            target_precompile_headers(${name} PRIVATE ${SHIZUKU_PRECOMPILED} <gtest/gtest.h>)
+        endif()
         add_test(NAME ${name} COMMAND ${name})
         # 77: no GPU, see tests/support/DeviceMain.C. The loops are short: threads that wait shall not spin on a busy machine.
         set_tests_properties(${name} PROPERTIES LABELS "unit;${backend}" SKIP_RETURN_CODE 77

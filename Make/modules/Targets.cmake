@@ -56,6 +56,7 @@ function(shizuku_test path)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_compile_options(${name} PRIVATE ${SHIZUKU_HOST_FLAGS} -O1)        # short runs: quick to compile counts
     target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest_main)
+    target_precompile_headers(${name} REUSE_FROM testSupport)
     set(tests ${name})
     if(ARG_MAY_SKIP)
         add_test(NAME ${name} COMMAND ${name} --gtest_filter=-${ARG_MAY_SKIP})
