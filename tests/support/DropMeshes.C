@@ -102,4 +102,16 @@ TriangleMesh revolvedMesh(const DropProfile& profile, double cell)
     return marchTetrahedra(distance, low - cell*Vector3(1.37, 1.41, 1.29), high + cell*Vector3(1.5, 1.5, 1.5), cell);
 }
 
+std::vector<MeridianPoint> meridianPoints(const TriangleMesh& mesh, double above)
+{
+    const std::vector<double> areas = mesh.vertexAreas();
+    std::vector<MeridianPoint> points;
+    for (std::size_t i = 0; i < areas.size(); ++i)
+    {
+        const Vector3& x = mesh.vertices[i];
+        if (x.z > above) points.push_back({std::hypot(x.x, x.y), x.z, areas[i]});
+    }
+    return points;
+}
+
 }

@@ -28,18 +28,6 @@ std::vector<MeridianPoint> pointsOf(const DropProfile& profile, double above = 0
     return points;
 }
 
-std::vector<MeridianPoint> pointsOf(const TriangleMesh& mesh, double above)
-{
-    const std::vector<double> areas = mesh.vertexAreas();
-    std::vector<MeridianPoint> points;
-    for (std::size_t i = 0; i < areas.size(); ++i)
-    {
-        const Vector3& x = mesh.vertices[i];
-        if (x.z > above) points.push_back({std::hypot(x.x, x.y), x.z, areas[i]});
-    }
-    return points;
-}
-
 }
 
 TEST(ProfileFit, ExactPointsGiveTheExactCapillaryLength)
@@ -67,7 +55,7 @@ TEST(ProfileFit, MeshesGiveTheSurfaceTension)
     {
         const double l = radius/std::sqrt(bond);
         const DropProfile exact = bashforthAdamsOfVolume(volume, l, theta, 101);
-        const auto fit = fitProfile(pointsOf(revolvedMesh(exact, 0.5*spacing), 1.25*spacing));
+        const auto fit = fitProfile(meridianPoints(revolvedMesh(exact, 0.5*spacing), 1.25*spacing));
         ASSERT_TRUE(fit);
         // sigma goes with the square.
         EXPECT_NEAR(std::pow(fit->capillaryLength/l, 2), 1, 0.01) << bond << " " << theta;
@@ -79,7 +67,7 @@ TEST(ProfileFit, NoiseOfATenthOfASpacingLeavesIt)
     std::mt19937 random(1);
     std::normal_distribution<double> noise(0, 0.1*spacing);
     const double l = radius;
-    auto points = pointsOf(revolvedMesh(bashforthAdamsOfVolume(volume, l, 90, 101), 0.5*spacing), 1.25*spacing);
+    auto points = meridianPoints(revolvedMesh(bashforthAdamsOfVolume(volume, l, 90, 101), 0.5*spacing), 1.25*spacing);
     for (MeridianPoint& p : points) p.r += noise(random);
     const auto fit = fitProfile(points);
     ASSERT_TRUE(fit);
@@ -94,7 +82,7 @@ TEST(ProfileFit, PuddlesGiveTheLeastOfTheMinima)
     for (const double theta : {60.0, 120.0})
     {
         const double l = radius/std::sqrt(10);
-        auto points = pointsOf(revolvedMesh(bashforthAdamsOfVolume(volume, l, theta, 101), 0.5*spacing), 1.25*spacing);
+        auto points = meridianPoints(revolvedMesh(bashforthAdamsOfVolume(volume, l, theta, 101), 0.5*spacing), 1.25*spacing);
         for (MeridianPoint& p : points) p.height *= 0.98;
         const auto fit = fitProfile(points);
         ASSERT_TRUE(fit) << theta;

@@ -16,19 +16,6 @@ namespace
 constexpr double spacing = 1e-4;
 const auto floorWall = makeWallShape(Plane{{0, 0, 0}, {0, 0, 1}});
 
-// Of the mesh above the layers at the wall, as probeAngle has it.
-std::optional<ProfileFit> fitOf(const TriangleMesh& mesh)
-{
-    const std::vector<double> areas = mesh.vertexAreas();
-    std::vector<MeridianPoint> points;
-    for (std::size_t i = 0; i < areas.size(); ++i)
-    {
-        const Vector3& x = mesh.vertices[i];
-        if (x.z > 1.25*spacing) points.push_back({std::hypot(x.x, x.y), x.z, areas[i]});
-    }
-    return fitProfile(points);
-}
-
 }
 
 // Down to puddles of two and a half spacings: 2,000 particles at Bond number 10 and 60 degrees.
@@ -42,7 +29,7 @@ TEST(ProfileFoot, HasContactRadiusAndAngleOfExactMeshes)
             {
                 const double volume = particles*spacing*spacing*spacing, R = std::cbrt(3*volume/(4*std::numbers::pi));
                 const DropProfile exact = bashforthAdamsOfVolume(volume, R/std::sqrt(bond), theta, 101);
-                const auto fit = fitOf(revolvedMesh(exact, 0.5*spacing));
+                const auto fit = fitProfile(meridianPoints(revolvedMesh(exact, 0.5*spacing), 1.25*spacing));     // above, as probeAngle has it
                 ASSERT_TRUE(fit) << bond << " " << theta;
                 const auto foot = footOf(*fit, {}, {0, 0, 1}, *floorWall);
                 ASSERT_TRUE(foot) << bond << " " << theta;

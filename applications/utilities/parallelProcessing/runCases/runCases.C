@@ -101,7 +101,6 @@ void runCases(const Arguments& args)
     std::optional<MultiProcessService> sideBySide;
     if (args.found("mps")) sideBySide.emplace();
     CaseRuns(cases, where).toTheEnd();
-    sideBySide.reset();
     printTable(cases);
 
     const auto failed = count([](const CaseRun& each) { return each.record.status == "failed"; });
