@@ -37,11 +37,11 @@ set(SHIZUKU_CORE_SOURCES
     core/fieldFile/FileBuffer.C
     core/fieldFile/FoamFileHeader.C
     core/fieldFile/MappedFile.C
-    core/fieldFile/PostProcessing.C
     core/messages/Error.C
     core/messages/Progress.C
     core/time/CaseLock.C
     core/time/Controls.C
+    core/time/PostProcessing.C
     core/time/Schedule.C
     core/time/Time.C
     core/time/TimeFolders.C

@@ -20,6 +20,7 @@ set(SHIZUKU_DEVICE_SOURCES
     motion/Motion.C
     motion/LiquidState.C
     motion/SpeedMeter.C
+    maths/CohesionSpline.C
     models/Models.C
     models/density/Density.C
     models/forces/InterParticleForces.C
@@ -41,7 +42,6 @@ set(SHIZUKU_DEVICE_SOURCES
     models/surfaceTension/SurfaceTension.C
     models/surfaceTension/none/none.C
     models/surfaceTension/pairForce/PairForce.C
-    models/surfaceTension/pairTension/CohesionSpline.C
     models/surfaceTension/pairTension/PairTension.C
     models/surfaceTension/continuumSurfaceForce/ContinuumSurfaceForce.C
     models/surfaceTension/continuumSurfaceForce/SurfaceLayer.C

@@ -13,6 +13,7 @@ set(SHIZUKU_DEVICE_TESTS
     functionObjects/TestFunctionObjects.C
     functionObjects/TestProbes.C
     functionObjects/TestRunTimeControl.C
+    maths/TestCohesionSpline.C
     maths/TestKernel.C
     maths/TestPackedDeviator.C
     maths/TestSymmTensor.C
@@ -40,7 +41,6 @@ set(SHIZUKU_DEVICE_TESTS
     models/surfaceTension/TestMomentum.C
     models/surfaceTension/continuumSurfaceForce/TestContinuumSurfaceForce.C
     models/surfaceTension/laplacePressure/TestLaplacePressure.C
-    models/surfaceTension/pairTension/TestCohesionSpline.C
     models/surfaceTension/pairTension/TestPairTension.C
     models/surfaceTension/surfaceCurvature/TestRegressedCurvature.C
     models/viscosity/TestMomentum.C

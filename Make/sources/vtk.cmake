@@ -1,6 +1,6 @@
 # Paths below src/.
 set(SHIZUKU_VTK_SOURCES
-    geometry/thetaModels/ImageTheta.C
+    thetaModels/ImageTheta.C
     vtk/GreyImage.C
     vtk/Picture.C
     vtk/PictureParts.C

@@ -1,17 +1,17 @@
 #include "advice/Scene.H"
 
+#include "caseFiles/AnalyticSurface.H"
+#include "caseFiles/CaseGravity.H"
+#include "caseFiles/LiquidFiles.H"
+#include "caseFiles/SampledWall.H"
+#include "caseFiles/SolidParticles.H"
+#include "caseFiles/VectorField.H"
 #include "core/time/Time.H"
-#include "geometry/AnalyticSurface.H"
-#include "geometry/Bounds.H"
-#include "geometry/CaseGravity.H"
-#include "geometry/LiquidFiles.H"
-#include "geometry/NearestPoint.H"
-#include "geometry/ObjFile.H"
-#include "geometry/SampledWall.H"
-#include "geometry/SolidParticles.H"
-#include "geometry/StlFile.H"
-#include "geometry/VectorField.H"
-#include "geometry/thetaModels/ThetaModel.H"
+#include "meshes/Bounds.H"
+#include "meshes/NearestPoint.H"
+#include "meshes/ObjFile.H"
+#include "meshes/StlFile.H"
+#include "thetaModels/ThetaModel.H"
 
 #include <algorithm>
 #include <cmath>

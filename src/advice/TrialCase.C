@@ -1,14 +1,14 @@
 #include "advice/TrialCase.H"
 
 #include "advice/CaseEdits.H"
+#include "caseFiles/LiquidFiles.H"
+#include "caseFiles/SampledWall.H"
+#include "caseFiles/SolidParticles.H"
 #include "core/dictionary/DictionaryEditor.H"
 #include "core/dictionary/DictionaryExpansion.H"
 #include "core/fieldFile/AtomicFile.H"
 #include "core/time/Time.H"
-#include "geometry/LiquidFiles.H"
-#include "geometry/SampledWall.H"
-#include "geometry/SolidParticles.H"
-#include "geometry/liquidBodies/FilledBody.H"
+#include "liquidBodies/FilledBody.H"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #include "reference/DropOscillation.H"
 
-#include "geometry/LinearSolve.H"
+#include "maths/LinearSolve.H"
 
 #include <algorithm>
 #include <cmath>

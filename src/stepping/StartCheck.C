@@ -2,7 +2,7 @@
 
 #include "device/Gather.H"
 #include "device/Reduce.H"
-#include "geometry/Vector3.H"
+#include "meshes/Vector3.H"
 #include "motion/Motion.H"
 #include "stepping/PressureIterations.H"
 

@@ -1,7 +1,7 @@
 #include "study/ErrorMeasure.H"
 
 #include "core/dictionary/EntryText.H"
-#include "core/fieldFile/PostProcessing.H"
+#include "core/time/PostProcessing.H"
 #include "study/ComparisonRows.H"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "study/RunCost.H"
 
 #include "core/dictionary/Dictionary.H"
-#include "core/fieldFile/PostProcessing.H"
+#include "core/time/PostProcessing.H"
 
 #include <fstream>
 #include <limits>

@@ -1,7 +1,7 @@
 #include "surface/CaseSurface.H"
 
 #include "core/dictionary/Dictionary.H"
-#include "geometry/surfaceFormats/SurfaceFormat.H"
+#include "meshes/surfaceFormats/SurfaceFormat.H"
 
 namespace shizuku
 {

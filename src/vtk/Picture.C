@@ -3,7 +3,7 @@
 #include "core/angles/Degrees.H"
 #include "core/fieldFile/AtomicFile.H"
 #include "core/messages/Error.H"
-#include "geometry/Bounds.H"
+#include "meshes/Bounds.H"
 #include "vtk/PictureParts.H"
 #include "vtk/StudioFloor.H"
 #include "vtk/StudioSurroundings.H"

@@ -1,7 +1,7 @@
 #include "vtk/PictureParts.H"
 
 #include "core/angles/Degrees.H"
-#include "geometry/SmoothMesh.H"
+#include "meshes/SmoothMesh.H"
 #include "vtk/VtkConversion.H"
 
 #include <vtkActor.h>

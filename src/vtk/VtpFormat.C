@@ -1,6 +1,6 @@
 // vtp: for ParaView and whatever else reads VTK's files (vtk/VtpFile.H).
 
-#include "geometry/surfaceFormats/SurfaceFormat.H"
+#include "meshes/surfaceFormats/SurfaceFormat.H"
 #include "vtk/VtpFile.H"
 
 namespace shizuku

@@ -1,7 +1,7 @@
 #include "walls/HalfSpace.H"
 
+#include "maths/CohesionSpline.H"
 #include "maths/Simpson.H"
-#include "models/surfaceTension/pairTension/CohesionSpline.H"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "walls/LiquidInside.H"
 
 #include "device/Reduce.H"
-#include "geometry/NearestPoint.H"
+#include "meshes/NearestPoint.H"
 
 #include <limits>
 

@@ -1,11 +1,11 @@
 #include "walls/Walls.H"
 
+#include "caseFiles/AnalyticSurface.H"
+#include "caseFiles/SolidParticles.H"
 #include "core/angles/Degrees.H"
 #include "core/time/Time.H"
 #include "device/ForEach.H"
-#include "geometry/AnalyticSurface.H"
-#include "geometry/SolidParticles.H"
-#include "geometry/thetaModels/ThetaField.H"
+#include "thetaModels/ThetaField.H"
 #include "walls/KeepOutside.H"
 #include "walls/LiquidInside.H"
 

@@ -1,8 +1,8 @@
 #include "CaseChanges.H"
 
 #include "core/dictionary/Differences.H"
-#include "geometry/thetaModels/ThetaField.H"
 #include "stepping/StartCheck.H"
+#include "thetaModels/ThetaField.H"
 
 #include <algorithm>
 #include <iostream>

@@ -2,7 +2,7 @@
 
 #include "device/Buffer.H"
 #include "device/ForEach.H"
-#include "maths/Vec3.H"
+#include "device/Vec3.H"
 
 #include <algorithm>
 

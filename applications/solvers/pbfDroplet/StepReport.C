@@ -1,10 +1,10 @@
 #include "StepReport.H"
 
+#include "caseFiles/SampledWall.H"
 #include "core/arguments/runApplication.H"
-#include "geometry/SampledWall.H"
-#include "geometry/SeparateBodies.H"
-#include "geometry/thetaModels/ThetaField.H"
+#include "drops/SeparateBodies.H"
 #include "stepping/StartCheck.H"
+#include "thetaModels/ThetaField.H"
 
 #include <cmath>
 #include <iostream>

@@ -1,5 +1,5 @@
 // Contact angles, contact radius, height and volume of every drop on a wall while the solver runs: what meshSurface
-// and probeAngle would find of the same time, in the same columns (geometry/drops/DropTable.H).
+// and probeAngle would find of the same time, in the same columns (drops/DropTable.H).
 //
 //     angle
 //     {
@@ -7,8 +7,8 @@
 //         wall        floor;          // this, fitAbove and direction as in system/probeAngleDict
 //     }
 
+#include "drops/DropMeasurement.H"
 #include "functionObjects/FunctionObject.H"
-#include "geometry/drops/DropMeasurement.H"
 
 namespace shizuku
 {

@@ -9,8 +9,8 @@
 
 #include "core/angles/Degrees.H"
 #include "core/fieldFile/CsvFile.H"
+#include "drops/WettedSurface.H"
 #include "functionObjects/FunctionObject.H"
-#include "geometry/WettedSurface.H"
 
 #include <cmath>
 #include <limits>

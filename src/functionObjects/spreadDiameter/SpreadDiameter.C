@@ -11,8 +11,8 @@
 // of the liquid's highest place above the wetted ones. Not a number where the wall is dry.
 
 #include "core/fieldFile/CsvFile.H"
+#include "drops/WettedSurface.H"
 #include "functionObjects/FunctionObject.H"
-#include "geometry/WettedSurface.H"
 
 namespace shizuku
 {

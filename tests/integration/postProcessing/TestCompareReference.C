@@ -1,7 +1,7 @@
 // What compareReference takes from probeAngle's table: which drop of which times, and how films and drops off the wall count.
 
 #include "DropCase.H"
-#include "geometry/LiquidFiles.H"
+#include "caseFiles/LiquidFiles.H"
 #include "support/DropMeshes.H"
 
 #include <gtest/gtest.h>

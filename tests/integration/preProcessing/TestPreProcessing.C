@@ -1,7 +1,7 @@
 // The built sampleSurface, sampleTheta and fillLiquid on small cases: what they write, and how they refuse bad input.
 
+#include "caseFiles/SolidParticles.H"
 #include "core/fieldFile/FieldFile.H"
-#include "geometry/SolidParticles.H"
 #include "support/Programs.H"
 #include "support/ScratchFolder.H"
 #include "support/Surfaces.H"

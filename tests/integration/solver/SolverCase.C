@@ -1,8 +1,8 @@
 #include "SolverCase.H"
 
+#include "caseFiles/SolidParticles.H"
+#include "caseFiles/VectorField.H"
 #include "core/fieldFile/FieldFile.H"
-#include "geometry/SolidParticles.H"
-#include "geometry/VectorField.H"
 
 #include <dlfcn.h>
 

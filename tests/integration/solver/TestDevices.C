@@ -3,7 +3,7 @@
 #include "SolverCase.H"
 
 #include "core/fieldFile/FieldFile.H"
-#include "geometry/PlyFile.H"
+#include "meshes/PlyFile.H"
 
 #include <cmath>
 

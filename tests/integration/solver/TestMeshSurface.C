@@ -2,7 +2,7 @@
 
 #include "SolverCase.H"
 
-#include "geometry/PlyFile.H"
+#include "meshes/PlyFile.H"
 
 namespace shizuku::test
 {

@@ -2,8 +2,8 @@
 
 #include "SolverCase.H"
 
-#include "geometry/PlyFile.H"
-#include "geometry/VectorField.H"
+#include "caseFiles/VectorField.H"
+#include "meshes/PlyFile.H"
 #include "support/PointSets.H"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

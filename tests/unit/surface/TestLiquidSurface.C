@@ -1,7 +1,7 @@
 #include "surface/LiquidSurface.H"
 
 #include "device/Device.H"
-#include "geometry/MeshTopology.H"
+#include "meshes/MeshTopology.H"
 #include "support/PointSets.H"
 #include "support/ScratchFolder.H"
 

@@ -1,7 +1,7 @@
 // Contact angles out of pictures, and the reading of those.
 
-#include "geometry/thetaModels/ThetaField.H"
 #include "support/ScratchFolder.H"
+#include "thetaModels/ThetaField.H"
 #include "vtk/GreyImage.H"
 
 #include <vtkImageData.h>

@@ -2,7 +2,7 @@
 // Appended .vtp files are decoded here (AppendedVtp.H), because not every VTK reads them.
 
 #include "AppendedVtp.H"
-#include "geometry/surfaceFormats/SurfaceFormat.H"
+#include "meshes/surfaceFormats/SurfaceFormat.H"
 #include "support/CapMesh.H"
 #include "support/ScratchFolder.H"
 #include "support/VtkReading.H"

@@ -2,7 +2,7 @@
 
 #include "walls/HalfSpace.H"
 
-#include "models/surfaceTension/pairTension/CohesionSpline.H"
+#include "maths/CohesionSpline.H"
 #include "support/ReferenceKernels.H"
 
 #include <gtest/gtest.h>

@@ -7,14 +7,14 @@
 // spacing further than the nearest, unless all of them are a spacing or more aside. A position that is not finite counts
 // as behind.
 
+#include "caseFiles/LiquidFiles.H"
+#include "caseFiles/SolidParticles.H"
 #include "core/messages/Error.H"
 #include "core/time/Time.H"
-#include "geometry/LiquidFiles.H"
-#include "geometry/PointsInside.H"
-#include "geometry/SolidParticles.H"
-#include "geometry/sampling/SurfaceDistance.H"
-#include "geometry/sampling/SurfaceFile.H"
-#include "geometry/sampling/SurfaceRepair.H"
+#include "meshes/PointsInside.H"
+#include "sampling/SurfaceDistance.H"
+#include "sampling/SurfaceFile.H"
+#include "sampling/SurfaceRepair.H"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 //
 // They are made for a particle spacing of 1 mm; lengths in the files are metres, but for millimetres.stl.
 
-#include "geometry/PlyFile.H"
+#include "meshes/PlyFile.H"
 #include "support/Shapes.H"
 #include "support/Surfaces.H"
 

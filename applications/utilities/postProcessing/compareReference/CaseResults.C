@@ -1,10 +1,10 @@
 #include "CaseResults.H"
 
+#include "caseFiles/CaseGravity.H"
+#include "caseFiles/LiquidFiles.H"
 #include "core/dictionary/Dictionary.H"
-#include "core/fieldFile/PostProcessing.H"
-#include "geometry/CaseGravity.H"
-#include "geometry/LiquidFiles.H"
-#include "geometry/PlyFile.H"
+#include "core/time/PostProcessing.H"
+#include "meshes/PlyFile.H"
 #include "reference/FlowNumbers.H"
 
 #include <cmath>

@@ -1,13 +1,13 @@
 // meshSurface: the liquid's surface of each time as a closed triangle mesh, <time>/surface/liquid.<format>.
 
 #include "MeshTimes.H"
+#include "caseFiles/LiquidFiles.H"
 #include "core/arguments/runApplication.H"
 #include "core/messages/Progress.H"
 #include "core/time/Time.H"
 #include "device/DeviceApplication.H"
-#include "geometry/LiquidFiles.H"
-#include "geometry/VolumeOffset.H"
-#include "geometry/surfaceFormats/SurfaceFormat.H"
+#include "meshes/VolumeOffset.H"
+#include "meshes/surfaceFormats/SurfaceFormat.H"
 #include "particles/Units.H"
 #include "surface/CaseSurface.H"
 

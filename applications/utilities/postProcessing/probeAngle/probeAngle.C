@@ -1,11 +1,11 @@
 // Measures the apparent contact angle of every separate drop on a wall, from the meshes of meshSurface.
 
+#include "caseFiles/LiquidFiles.H"
 #include "core/arguments/runApplication.H"
 #include "core/time/Time.H"
-#include "geometry/LiquidFiles.H"
-#include "geometry/MeshTopology.H"
-#include "geometry/PlyFile.H"
-#include "geometry/drops/DropMeasurement.H"
+#include "drops/DropMeasurement.H"
+#include "meshes/MeshTopology.H"
+#include "meshes/PlyFile.H"
 
 #include <iostream>
 

@@ -1,7 +1,7 @@
 #include "CurvedWalls.H"
 
 #include "core/dictionary/Dictionary.H"
-#include "geometry/StlFile.H"
+#include "meshes/StlFile.H"
 
 namespace shizuku
 {

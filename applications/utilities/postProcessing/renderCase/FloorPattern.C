@@ -1,7 +1,7 @@
 #include "FloorPattern.H"
 
-#include "geometry/SolidParticles.H"
-#include "geometry/thetaModels/ThetaField.H"
+#include "caseFiles/SolidParticles.H"
+#include "thetaModels/ThetaField.H"
 
 #include <algorithm>
 

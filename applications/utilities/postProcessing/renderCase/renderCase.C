@@ -4,13 +4,13 @@
 #include "CurvedWalls.H"
 #include "FloorPattern.H"
 
+#include "caseFiles/CaseGravity.H"
+#include "caseFiles/LiquidFiles.H"
+#include "caseFiles/WallPlane.H"
 #include "core/arguments/runApplication.H"
 #include "core/dictionary/Dictionary.H"
 #include "core/time/Time.H"
-#include "geometry/CaseGravity.H"
-#include "geometry/LiquidFiles.H"
-#include "geometry/PlyFile.H"
-#include "geometry/WallPlane.H"
+#include "meshes/PlyFile.H"
 #include "vtk/Picture.H"
 #include "vtk/VirtualDisplay.H"
 

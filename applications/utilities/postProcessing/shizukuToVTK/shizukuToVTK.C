@@ -10,13 +10,13 @@
 
 #include "LiquidFields.H"
 
+#include "caseFiles/LiquidFiles.H"
+#include "caseFiles/SolidParticles.H"
+#include "caseFiles/VectorField.H"
 #include "core/arguments/runApplication.H"
 #include "core/messages/Progress.H"
 #include "core/time/Time.H"
-#include "geometry/LiquidFiles.H"
-#include "geometry/PlyFile.H"
-#include "geometry/SolidParticles.H"
-#include "geometry/VectorField.H"
+#include "meshes/PlyFile.H"
 #include "vtk/VtkSeries.H"
 
 #include <algorithm>

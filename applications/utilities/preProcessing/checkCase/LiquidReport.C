@@ -1,7 +1,7 @@
 #include "LiquidReport.H"
 
-#include "geometry/ConnectedPoints.H"
-#include "geometry/SeparateBodies.H"
+#include "drops/SeparateBodies.H"
+#include "meshes/ConnectedPoints.H"
 #include "reference/FlowNumbers.H"
 
 #include <algorithm>

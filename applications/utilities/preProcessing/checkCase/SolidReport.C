@@ -1,7 +1,7 @@
 #include "SolidReport.H"
 
-#include "geometry/ConnectedPoints.H"
-#include "geometry/SolidParticles.H"
+#include "caseFiles/SolidParticles.H"
+#include "meshes/ConnectedPoints.H"
 
 #include <algorithm>
 #include <iostream>

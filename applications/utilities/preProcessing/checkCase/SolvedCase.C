@@ -1,10 +1,10 @@
 #include "SolvedCase.H"
 
+#include "caseFiles/SampledWall.H"
 #include "functionObjects/FunctionObjects.H"
-#include "geometry/SampledWall.H"
-#include "geometry/liquidBodies/FilledBody.H"
-#include "geometry/thetaModels/ThetaField.H"
+#include "liquidBodies/FilledBody.H"
 #include "stepping/StartCheck.H"
+#include "thetaModels/ThetaField.H"
 
 namespace shizuku
 {

@@ -1,10 +1,10 @@
 // Fills bodies with liquid particles: system/fillLiquidDict -> 0/liquid/{positions,U}.
 
+#include "caseFiles/LiquidFiles.H"
 #include "core/arguments/runApplication.H"
 #include "core/fieldFile/AtomicFile.H"
 #include "core/time/Time.H"
-#include "geometry/LiquidFiles.H"
-#include "geometry/liquidBodies/LiquidChecks.H"
+#include "liquidBodies/LiquidChecks.H"
 
 #include <iostream>
 

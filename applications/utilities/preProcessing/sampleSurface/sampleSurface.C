@@ -1,12 +1,12 @@
 // Puts solid particles onto the walls of type particles: constant/triSurface -> constant/solid.
 
-#include "WallSurface.H"
+#include "LoadSurface.H"
+#include "caseFiles/SampledWall.H"
 #include "core/arguments/runApplication.H"
 #include "core/dictionary/CalcExpression.H"
 #include "core/time/Controls.H"
-#include "geometry/SampledWall.H"
-#include "geometry/sampling/SeedMethod.H"
-#include "geometry/sampling/SurfaceSampler.H"
+#include "sampling/SeedMethod.H"
+#include "sampling/SurfaceSampler.H"
 
 #include <algorithm>
 #include <iostream>

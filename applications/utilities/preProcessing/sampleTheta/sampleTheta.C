@@ -3,7 +3,7 @@
 #include "core/arguments/runApplication.H"
 #include "core/time/Controls.H"
 #include "core/time/Time.H"
-#include "geometry/thetaModels/ThetaField.H"
+#include "thetaModels/ThetaField.H"
 
 #include <algorithm>
 #include <iostream>

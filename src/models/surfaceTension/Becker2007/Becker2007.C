@@ -9,8 +9,8 @@
 //     surfaceTension      Becker2007;
 //     Becker2007Coeffs    { kappa 1e-6; }          // m3/s2; default: from sigma
 
+#include "maths/CohesionSpline.H"
 #include "models/surfaceTension/pairForce/PairForce.H"
-#include "models/surfaceTension/pairTension/CohesionSpline.H"
 
 namespace shizuku
 {

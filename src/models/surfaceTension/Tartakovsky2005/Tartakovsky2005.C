@@ -9,8 +9,8 @@
 //     surfaceTension          Tartakovsky2005;
 //     Tartakovsky2005Coeffs   { s 1e-6; }          // N; default: from sigma
 
+#include "maths/CohesionSpline.H"
 #include "models/surfaceTension/pairForce/PairForce.H"
-#include "models/surfaceTension/pairTension/CohesionSpline.H"
 
 namespace shizuku
 {

@@ -1,7 +1,7 @@
 #include "models/surfaceTension/pairTension/PairTension.H"
 
+#include "maths/CohesionSpline.H"
 #include "models/density/Density.H"
-#include "models/surfaceTension/pairTension/CohesionSpline.H"
 
 namespace shizuku
 {

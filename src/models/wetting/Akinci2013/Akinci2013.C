@@ -11,7 +11,7 @@
 //     wetting           Akinci2013;
 //     Akinci2013Coeffs  { beta 1.2; }         // m4/(kg s2)
 
-#include "models/surfaceTension/pairTension/CohesionSpline.H"
+#include "maths/CohesionSpline.H"
 #include "models/wetting/Wetting.H"
 
 namespace shizuku

@@ -11,8 +11,8 @@
 //     wetting             contactAngle;
 //     contactAngleCoeffs  { solidNormal SPH; }
 
+#include "maths/CohesionSpline.H"
 #include "models/density/Density.H"
-#include "models/surfaceTension/pairTension/CohesionSpline.H"
 #include "models/wetting/Wetting.H"
 
 namespace shizuku

@@ -13,9 +13,9 @@
 
 #include "Comparison.H"
 #include "LargestDrops.H"
+#include "caseFiles/WallShape.H"
 #include "core/fieldFile/FieldFile.H"
-#include "geometry/NearestPoint.H"
-#include "geometry/WallShape.H"
+#include "meshes/NearestPoint.H"
 #include "reference/BashforthAdams.H"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "models/surfaceTension/SurfaceTension.H"
 
-#include "models/surfaceTension/pairTension/CohesionSpline.H"
+#include "maths/CohesionSpline.H"
 #include "support/PairReference.H"
 #include "support/VectorSum.H"
 

@@ -1,0 +1,219 @@
+#include "drops/ContactAngle.H"
+
+#include "core/angles/Degrees.H"
+#include "meshes/SphereFit.H"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+// What the drop hides of the wall: the faces that look away from the wall, moved down to it. Exact as long as no part of
+// the drop overhangs another.
+double projectedArea(const TriangleMesh& mesh, const std::vector<WallPoint>& wall)
+{
+    const auto foot = [&](int i) { return mesh.vertices[i] - wall[i].distance*wall[i].normal; };
+    double area = 0;
+    for (const auto& [i, j, k] : mesh.faces)
+    {
+        const Vector3 faceArea = 0.5*cross(foot(j) - foot(i), foot(k) - foot(i));
+        area += std::max(0.0, dot(faceArea, normalized(wall[i].normal + wall[j].normal + wall[k].normal)));
+    }
+    return area;
+}
+
+// Where a sphere cuts a wall: the mean angle and radius of the cut.
+struct Cut
+{
+    double angle, radius;
+};
+
+// Along great circles from the sphere's point next to the wall. Nothing where the sphere lies inside the wall, or the
+// wall does not go round it.
+std::optional<Cut> cutOf(const SphereFit& sphere, const WallShape& wall)
+{
+    constexpr int directions = 48, steps = 180, halvings = 50;
+    const Vector3 down = -wall.at(sphere.centre).normal, x = perpendicular(-down), y = cross(down, x);
+    const auto at = [&](double polar, const Vector3& sideways)
+    {
+        return sphere.centre + sphere.radius*(std::cos(polar)*down + std::sin(polar)*sideways);
+    };
+    // A sphere that ends above the wall, by less than the drop's allowed gap, touches it in a point.
+    if (wall.at(at(0, x)).distance >= 0) return Cut{180, 0};
+
+    std::vector<Vector3> points;
+    double angles = 0;
+    for (int i = 0; i < directions; ++i)
+    {
+        const double azimuth = 2*std::numbers::pi*i/directions;
+        const Vector3 sideways = std::cos(azimuth)*x + std::sin(azimuth)*y;
+        const auto distance = [&](double polar) { return wall.at(at(polar, sideways)).distance; };
+        double from = 0, to = 0;
+        for (int step = 1; step <= steps && distance(to) < 0; ++step)
+        {
+            from = to;
+            to = std::numbers::pi*step/steps;
+        }
+        if (distance(to) < 0) return std::nullopt;
+        for (int k = 0; k < halvings; ++k)
+        {
+            const double middle = 0.5*(from + to);
+            (distance(middle) < 0 ? from : to) = middle;
+        }
+        points.push_back(at(to, sideways));
+        const Vector3 normal = (points.back() - sphere.centre)/sphere.radius;
+        angles += degrees(std::acos(std::clamp(dot(normal, wall.at(points.back()).normal), -1.0, 1.0)));
+    }
+    Vector3 middle;
+    for (const Vector3& p : points) middle += p/directions;
+    double radius = 0;
+    for (const Vector3& p : points) radius += length(p - middle)/directions;
+    return Cut{angles/directions, radius};
+}
+
+// The sphere above the wall's neighbourhood, where the drop bends as a drop does: its surface looks away from the centre.
+std::optional<SphereFit> fitCap
+(
+    const TriangleMesh& drop, const std::vector<WallPoint>& wall, double above
+)
+{
+    const std::vector<double> areas = drop.vertexAreas();
+    std::vector<Vector3> cap;
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < drop.vertices.size(); ++i)
+    {
+        if (wall[i].distance <= above) continue;
+        cap.push_back(drop.vertices[i]);
+        weights.push_back(areas[i]);
+    }
+    const auto sphere = fitSphere(cap, weights);
+    if (!sphere) return sphere;
+    double outward = 0;
+    for (const auto& [i, j, k] : drop.faces)
+    {
+        if (std::min({wall[i].distance, wall[j].distance, wall[k].distance}) <= above) continue;
+        const Vector3& a = drop.vertices[i];
+        outward += dot(cross(drop.vertices[j] - a, drop.vertices[k] - a), a - sphere->centre);
+    }
+    return outward > 0 ? sphere : std::nullopt;
+}
+
+// Its mean distance from its middle.
+double radiusOf(const std::vector<LineTangent>& line)
+{
+    Vector3 middle;
+    double total = 0, radius = 0;
+    for (const LineTangent& tangent : line)
+    {
+        middle += tangent.length*tangent.point;
+        total += tangent.length;
+    }
+    for (const LineTangent& tangent : line) radius += tangent.length*length(tangent.point - middle/total);
+    return radius/total;
+}
+
+// The part of the direction along the wall under the contact line; zero where that is hardly any.
+Vector3 alongWall(const Vector3& direction, const std::vector<LineTangent>& line, const WallShape& wall)
+{
+    constexpr double least = 0.0087;            // sine of half a degree
+    Vector3 middle;
+    for (const LineTangent& tangent : line) middle += tangent.point/line.size();
+    const Vector3 normal = wall.at(middle).normal, along = direction - dot(direction, normal)*normal;
+    return length(along) > least*length(direction) ? along : Vector3();
+}
+
+void summarise(ContactAngle& result, const WallShape& wall, const Vector3& direction)
+{
+    result.mean = result.min = result.max = result.advancing = result.receding = result.lineRadius = none;
+    if (result.line.empty()) return;
+    result.lineRadius = radiusOf(result.line);
+    double sum = 0, total = 0;
+    for (const LineTangent& tangent : result.line)
+    {
+        sum += tangent.length*tangent.angle;
+        total += tangent.length;
+    }
+    result.mean = sum/total;
+    const auto by = [](auto property)
+    {
+        return [property](const LineTangent& a, const LineTangent& b) { return property(a) < property(b); };
+    };
+    const auto [min, max] = std::minmax_element(result.line.begin(), result.line.end(), by([](auto& t) { return t.angle; }));
+    result.min = min->angle;
+    result.max = max->angle;
+    const Vector3 ahead = alongWall(direction, result.line, wall);
+    if (length(ahead) == 0) return;
+    const auto [back, front] = std::minmax_element
+    (
+        result.line.begin(), result.line.end(), by([&](auto& t) { return dot(t.outward, ahead); })
+    );
+    result.advancing = front->angle;
+    result.receding = back->angle;
+}
+
+}
+
+std::string word(DropState state)
+{
+    switch (state)
+    {
+        case DropState::attached: return "attached";
+        case DropState::detached: return "detached";
+        case DropState::film: break;
+    }
+    return "film";
+}
+
+ContactAngle measureContactAngle
+(
+    const TriangleMesh& drop, const WallShape& wall, double spacing, const Vector3& direction,
+    const ContactAngleLimits& limits
+)
+{
+    std::vector<WallPoint> atWall;
+    std::vector<double> height;
+    for (const Vector3& vertex : drop.vertices)
+    {
+        atWall.push_back(wall.at(vertex));
+        height.push_back(atWall.back().distance);
+    }
+    const auto [lowest, highest] = std::minmax_element(height.begin(), height.end());
+
+    ContactAngle result;
+    result.angle = result.residual = none;
+    result.height = *highest;
+    result.coveredArea = projectedArea(drop, atWall);
+    summarise(result, wall, direction);
+
+    if (*lowest > limits.detachedAbove*spacing)
+    {
+        result.state = DropState::detached;
+        return result;
+    }
+
+    const double above = limits.fitAbove*spacing;
+    const auto sphere = *highest < limits.filmBelow*spacing ? std::nullopt : fitCap(drop, atWall, above);
+    const auto cut = sphere ? cutOf(*sphere, wall) : std::nullopt;
+    if (!cut)
+    {
+        result.state = DropState::film;
+        result.contactRadius = std::sqrt(result.coveredArea/std::numbers::pi);
+        return result;
+    }
+    result.angle = cut->angle;
+    result.contactRadius = cut->radius;
+    result.residual = sphere->rms/spacing;
+    result.line = contactLine(drop, height, wall, above, spacing);
+    summarise(result, wall, direction);
+    return result;
+}
+
+}

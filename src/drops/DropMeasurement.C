@@ -1,0 +1,133 @@
+#include "drops/DropMeasurement.H"
+
+#include "caseFiles/CaseGravity.H"
+#include "caseFiles/UnitVector.H"
+#include "drops/ProfileFoot.H"
+#include "meshes/PointsInside.H"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace shizuku
+{
+
+namespace
+{
+
+double densityOf(const std::filesystem::path& casePath)
+{
+    const auto file = casePath/"constant/liquidProperties";
+    if (!std::filesystem::exists(file)) return std::numeric_limits<double>::quiet_NaN();
+    return Dictionary::read(file).lookupPositive("rho", dimensions::density);
+}
+
+}
+
+DropControls DropControls::read(const Dictionary& dict, const CaseWalls& walls)
+{
+    DropControls controls;
+    if (dict.found("wall") || walls.names.size() != 1) controls.wall = dict.lookupChoice("wall", walls.names);
+    else controls.wall = walls.names.front();
+    if (dict.found("fitAbove"))
+    {
+        controls.limits.fitAbove = dict.lookupPositive("fitAbove", dimensions::none, true);
+    }
+    if (dict.found("direction")) controls.direction = readUnitVector(dict, "direction");
+    return controls;
+}
+
+DropMeasurement::DropMeasurement
+(
+    const std::filesystem::path& casePath, const DropControls& controls, CaseWalls walls, double spacing
+)
+:
+    walls_(std::move(walls)), controls_(controls), spacing_(spacing),
+    wall_(makeWallShape(walls_, controls.wall, spacing)), prescribed_(casePath, walls_, controls.wall), case_(casePath)
+{}
+
+void DropMeasurement::readCase(double time, const std::vector<double>& inForce)
+{
+    prescribed_.read(time, inForce);
+    gravity_ = caseGravity(case_);
+    density_ = densityOf(case_);
+}
+
+std::vector<DropRecord> DropMeasurement::measure
+(
+    const TriangleMesh& surface, const std::vector<Vector3>& particles, double time
+)
+{
+    constexpr double smallest = 20;         // particles
+    const std::vector<Drop> drops = separateDrops(surface, smallest*spacing_*spacing_*spacing_);
+    std::vector<Vector3> centroids;
+    for (const Drop& drop : drops) centroids.push_back(drop.surface.centroid());
+    const std::vector<int> numbers = numbers_.assign(centroids);
+
+    std::vector<DropRecord> records;
+    for (std::size_t i = 0; i < drops.size(); ++i)
+    {
+        records.push_back(measureDrop(drops[i], centroids[i], particles, time));
+        DropRecord& record = records.back();
+        record.drop = numbers[i];
+        record.firstDrift = record.volume/firstVolumes_.try_emplace(record.drop, record.volume).first->second - 1;
+    }
+    std::sort(records.begin(), records.end(), [](const auto& a, const auto& b) { return a.drop < b.drop; });
+    return records;
+}
+
+DropRecord DropMeasurement::measureDrop
+(
+    const Drop& drop, const Vector3& centroid, const std::vector<Vector3>& particles, double time
+) const
+{
+    DropRecord record;
+    record.time = time;
+    record.shape = measureContactAngle
+    (
+        drop.surface, *wall_, spacing_, controls_.direction.value_or(gravity_), controls_.limits
+    );
+    record.volume = drop.volume;
+    const std::vector<int> winding = windingNumbers(drop.surface, particles);
+    record.particles = std::count_if(winding.begin(), winding.end(), [](int w) { return w > 0; });
+    record.particleDrift = drop.volume/(record.particles*spacing_*spacing_*spacing_) - 1;
+    record.centroid = centroid;
+    const double footprint = std::sqrt(record.shape.coveredArea/std::numbers::pi);
+    record.prescribed = prescribed_.below(centroid, footprint, wall_->at(centroid).normal);
+    if (record.shape.state == DropState::attached)
+    {
+        if (const auto profile = profileOf(drop, centroid))
+        {
+            record.capillaryLength = profile->capillaryLength;
+            record.sigma = density_*length(gravity_)*std::pow(profile->capillaryLength, 2);
+            if (const auto foot = footOf(*profile, centroid, -normalized(gravity_), *wall_))
+            {
+                record.profileRadius = foot->radius;
+                record.profileAngle = foot->angle;
+            }
+        }
+    }
+    return record;
+}
+
+// Of a drop that stands upright: with gravity along the axis it is axisymmetric.
+std::optional<ProfileFit> DropMeasurement::profileOf(const Drop& drop, const Vector3& centroid) const
+{
+    constexpr double upright = 0.9998;          // cosine of one degree
+    if (length(gravity_) == 0) return std::nullopt;
+    const Vector3 up = -normalized(gravity_);
+    if (dot(up, wall_->at(centroid).normal) < upright) return std::nullopt;
+
+    const std::vector<double> areas = drop.surface.vertexAreas();
+    std::vector<MeridianPoint> points;
+    for (std::size_t i = 0; i < areas.size(); ++i)
+    {
+        const Vector3& x = drop.surface.vertices[i];
+        if (wall_->at(x).distance <= controls_.limits.fitAbove*spacing_) continue;
+        const double height = dot(x - centroid, up);
+        points.push_back({length(x - centroid - height*up), height, areas[i]});
+    }
+    return fitProfile(points);
+}
+
+}

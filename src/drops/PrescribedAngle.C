@@ -1,0 +1,54 @@
+#include "drops/PrescribedAngle.H"
+
+#include "core/dictionary/Dictionary.H"
+#include "core/time/Time.H"
+#include "thetaModels/ThetaField.H"
+
+namespace shizuku
+{
+
+PrescribedAngle::PrescribedAngle
+(
+    const std::filesystem::path& casePath, const CaseWalls& walls, const std::string& wall
+)
+: case_(casePath), walls_(walls), wall_(wall)
+{
+    for (std::size_t i = 0; i < walls.solid.patches.size(); ++i)
+    {
+        if (walls.solid.patches[i] == wall) patch_ = int(i);
+    }
+}
+
+void PrescribedAngle::read(double time, const std::vector<double>& inForce)
+{
+    wallTheta_ = none;
+    if (patch_ < 0)
+    {
+        const auto file = case_/"constant/wettability";
+        if (std::filesystem::exists(file)) wallTheta_ = Dictionary::read(file).subDictOrEmpty(wall_).lookupOr<double>("theta", none);
+        return;
+    }
+    theta_ = inForce;
+    if (!theta_.empty()) return;
+    const auto instance = findInstance(case_, time, "solid/theta");
+    if (!instance.empty()) theta_ = readTheta(instance, walls_.solid.positions.size());
+}
+
+double PrescribedAngle::below(const Vector3& foot, double radius, const Vector3& normal) const
+{
+    if (theta_.empty()) return wallTheta_;
+    const SolidParticles& solid = walls_.solid;
+    double sum = 0;
+    long count = 0;
+    for (std::size_t i = 0; i < solid.positions.size(); ++i)
+    {
+        const Vector3 fromFoot = solid.positions[i] - foot;
+        const Vector3 along = fromFoot - dot(fromFoot, normal)*normal;
+        if (solid.patch[i] != patch_ || length(along) > radius || dot(solid.normals[i], normal) <= 0) continue;
+        sum += theta_[i];
+        ++count;
+    }
+    return count > 0 ? sum/count : none;
+}
+
+}

@@ -1,0 +1,183 @@
+#include "drops/ProfileFit.H"
+
+#include "maths/LinearSolve.H"
+#include "reference/BashforthAdams.H"
+
+#include <algorithm>
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr std::size_t unknowns = 3;
+using Unknowns = SmallVector<unknowns>;     // height of the apex in units of the drop's size, ln b, ln l
+
+// The profile up to 180 degrees, searched by the polar angle about a point of its axis: it is convex.
+class SearchedProfile
+{
+public:
+    explicit SearchedProfile(const ProfileFit& fit)
+    : top_(fit.apexHeight), profile_(bashforthAdams(fit.apexRadius, fit.capillaryLength, 180, 401))
+    {
+        middle_ = 0.5*profile_.height();
+        for (const DropProfilePoint& p : profile_.points) polar_.push_back(std::atan2(p.x, middle_ - p.z));
+    }
+
+    // Outside of the profile positive. By the chord across the point: exact to the second order of the distance.
+    double distance(const MeridianPoint& point) const
+    {
+        const double z = top_ - point.height;
+        const auto after = std::upper_bound(polar_.begin() + 1, polar_.end() - 1, std::atan2(point.r, middle_ - z));
+        const DropProfilePoint& a = profile_.points[after - polar_.begin() - 1];
+        const DropProfilePoint& b = profile_.points[after - polar_.begin()];
+        const double dx = b.x - a.x, dz = b.z - a.z;
+        return ((point.r - a.x)*dz - (z - a.z)*dx)/std::hypot(dx, dz);
+    }
+
+private:
+    double top_;
+    DropProfile profile_;
+    double middle_ = 0;                     // depth of the centre of search below the apex, m
+    std::vector<double> polar_;
+};
+
+class ProfileSearch
+{
+public:
+    ProfileSearch(const std::vector<MeridianPoint>& points, double size) : points_(points), size_(size) {}
+
+    ProfileFit fitOf(const Unknowns& u) const { return {std::exp(u[1]), std::exp(u[2]), size_*u[0]}; }
+
+    double meanSquare(const Unknowns& u) const
+    {
+        const SearchedProfile profile(fitOf(u));
+        double sum = 0, total = 0;
+        for (const MeridianPoint& p : points_)
+        {
+            sum += p.weight*std::pow(profile.distance(p), 2);
+            total += p.weight;
+        }
+        return sum/total;
+    }
+
+    NormalEquations<unknowns> equationsAt(const Unknowns& u) const
+    {
+        constexpr double step = 1e-4;       // central differences: their error is its square
+        std::vector<SearchedProfile> more, less;
+        for (std::size_t k = 0; k < unknowns; ++k)
+        {
+            Unknowns up = u, down = u;
+            up[k] += step;
+            down[k] -= step;
+            more.emplace_back(fitOf(up));
+            less.emplace_back(fitOf(down));
+        }
+        const SearchedProfile here(fitOf(u));
+        NormalEquations<unknowns> equations;
+        for (const MeridianPoint& p : points_)
+        {
+            Unknowns row;
+            for (std::size_t k = 0; k < unknowns; ++k)
+            {
+                row[k] = (more[k].distance(p) - less[k].distance(p))/(2*step)/size_;
+            }
+            equations.add(row, -here.distance(p)/size_, p.weight);
+        }
+        return equations;
+    }
+
+private:
+    const std::vector<MeridianPoint>& points_;
+    double size_;                           // of the drop, m
+};
+
+// A sphere's height at the apex against that half way out, where the drop is a sphere or flatter.
+double apexRadiusOf(const std::vector<MeridianPoint>& points, double apex, double widest)
+{
+    double rise = 0, square = 0;
+    for (const MeridianPoint& p : points)
+    {
+        if (p.r > 0.5*widest || apex - p.height > 0.5*widest) continue;
+        rise += p.weight*(apex - p.height)*p.r*p.r;
+        square += p.weight*std::pow(p.r, 4);
+    }
+    return rise > 0 ? 0.5*square/rise : widest;
+}
+
+// The least squares that Levenberg-Marquardt steps from u come to.
+struct Minimum
+{
+    Unknowns u;
+    double squares;
+};
+
+Minimum descend(const ProfileSearch& search, Unknowns u, double shortest, double longest)
+{
+    constexpr int maxSteps = 100;
+    constexpr double smallestGain = 1e-9, longestStep = 0.5, mostDamping = 1e6;
+    double squares = search.meanSquare(u), damping = 1e-3;
+    for (int step = 0; step < maxSteps && damping < mostDamping; ++step)
+    {
+        const NormalEquations<unknowns> equations = search.equationsAt(u);
+        const double before = squares;
+        for (bool better = false; !better && damping < mostDamping;)
+        {
+            NormalEquations<unknowns> damped = equations;
+            for (std::size_t k = 0; k < unknowns; ++k) damped.matrix[k][k] *= 1 + damping;
+            Unknowns next = u;
+            if (const auto change = damped.solve())
+            {
+                for (std::size_t k = 0; k < unknowns; ++k) next[k] += std::clamp((*change)[k], -longestStep, longestStep);
+                const bool inRange = next[2] > shortest && next[2] < longest;
+                const double nextSquares = inRange ? search.meanSquare(next) : HUGE_VAL;
+                better = nextSquares < squares;
+                if (better)
+                {
+                    u = next;
+                    squares = nextSquares;
+                }
+            }
+            damping *= better ? 0.1 : 10;
+        }
+        if (before - squares < smallestGain*before) break;
+    }
+    return {u, squares};
+}
+
+}
+
+std::optional<ProfileFit> fitProfile(const std::vector<MeridianPoint>& points)
+{
+    constexpr std::size_t fewest = 10;
+    if (points.size() < fewest) return std::nullopt;
+
+    double apex = points.front().height, widest = 0;
+    for (const MeridianPoint& p : points)
+    {
+        apex = std::max(apex, p.height);
+        widest = std::max(widest, p.r);
+    }
+    if (!(widest > 0)) return std::nullopt;
+
+    // A puddle has another minimum where l is as long as the puddle is wide, which is not the least.
+    const ProfileSearch search(points, widest);
+    const double shortest = std::log(widest/30), longest = std::log(10*widest);        // of l
+    Unknowns start{apex/widest, std::log(apexRadiusOf(points, apex, widest)), 0};
+    Minimum least{{}, HUGE_VAL};
+    for (const double l : {1.0, 0.3, 0.1})
+    {
+        start[2] = std::log(l*widest);
+        const Minimum found = descend(search, start, shortest, longest);
+        if (found.squares < least.squares) least = found;
+    }
+    // Next to the ends of the range the least squares are beyond it.
+    constexpr double margin = 0.1;
+    if (least.u[2] < shortest + margin || least.u[2] > longest - margin) return std::nullopt;
+    ProfileFit fit = search.fitOf(least.u);
+    fit.rms = std::sqrt(least.squares);
+    return fit;
+}
+
+}

@@ -1,0 +1,104 @@
+#include "liquidBodies/FilledBody.H"
+
+#include "caseFiles/VectorField.H"
+
+#include <algorithm>
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr Dimensions perTime{{0, 0, -1, 0, 0, 0, 0}};
+
+FilledBody readBody(const Dictionary& dict, const std::string& name, const std::filesystem::path& casePath, double spacing)
+{
+    FilledBody body{name, dict.where(), nullptr, {}, {}, {}};
+    body.shape = LiquidBodyTable::New("liquid body", dict.lookup<std::string>("type"), dict.where("type"), dict, casePath);
+    if (dict.found("velocity")) body.velocity = dict.lookupDimensionedVector("velocity", dimensions::velocity);
+    if (dict.found("angularVelocity")) body.angularVelocity = dict.lookupDimensionedVector("angularVelocity", perTime);
+    body.carve = dict.lookupChoiceOr("overlaps", {"refuse", "carve"}, "refuse") == "carve";
+    body.positions = fillLattice(*body.shape, spacing, dict.where());
+    return body;
+}
+
+// Components of the positions from particle `first` of all bodies on.
+void fillPositions(const std::vector<FilledBody>& bodies, std::size_t first, std::span<double> values)
+{
+    auto body = bodies.begin();
+    for (std::size_t i = 0; i < values.size(); i += 3, ++first)
+    {
+        for (; first >= body->positions.size(); ++body) first -= body->positions.size();
+        const Vector3& x = body->positions[first];
+        values[i] = x.x;
+        values[i + 1] = x.y;
+        values[i + 2] = x.z;
+    }
+}
+
+FieldData velocityField(const std::vector<FilledBody>& bodies)
+{
+    const auto movesAlike = [&](const FilledBody& body)
+    {
+        return body.angularVelocity == Vector3() && body.velocity == bodies.front().velocity;
+    };
+    const bool uniform = std::all_of(bodies.begin(), bodies.end(), movesAlike);
+    std::vector<Vector3> velocities;
+    if (uniform) velocities = {bodies.front().velocity};
+    else
+    {
+        for (const FilledBody& body : bodies)
+        {
+            const std::vector<Vector3> own = body.velocities();
+            velocities.insert(velocities.end(), own.begin(), own.end());
+        }
+    }
+    FieldData field = toField("U", dimensions::velocity, velocities);
+    field.uniform = uniform;
+    return field;
+}
+
+}
+
+std::vector<Vector3> FilledBody::velocities() const
+{
+    Vector3 centroid;
+    for (const Vector3& x : positions) centroid += x/double(positions.size());
+    std::vector<Vector3> result;
+    for (const Vector3& x : positions) result.push_back(velocity + cross(angularVelocity, x - centroid));
+    return result;
+}
+
+std::vector<FilledBody> readBodies
+(
+    const Dictionary& fillLiquidDict, const std::filesystem::path& casePath, double spacing
+)
+{
+    const Dictionary bodies = fillLiquidDict.subDict("bodies");
+    std::vector<FilledBody> result;
+    for (const std::string& name : bodies.dictKeys())
+    {
+        result.push_back(readBody(bodies.subDict(name), name, casePath, spacing));
+    }
+    if (result.empty())
+    {
+        throw FatalInputError(bodies.where(), "There is no body of liquid", "drop { type sphere; ... }");
+    }
+    fillLiquidDict.refuseUnused();
+    return result;
+}
+
+void writeBodies
+(
+    const std::filesystem::path& folder, const std::vector<FilledBody>& bodies, double spacing, const WriteFormat& format
+)
+{
+    std::size_t count = 0;
+    for (const FilledBody& body : bodies) count += body.positions.size();
+    const auto fill = [&](std::size_t first, std::span<double> values) { fillPositions(bodies, first, values); };
+    writeField(folder/"positions", {FieldType::vector, dimensions::length, count, fill, spacing}, format);
+    writeField(folder/"U", velocityField(bodies), format);
+}
+
+}

@@ -1,0 +1,32 @@
+// type sphere; centre (0 0 0.001); radius 1e-3;
+
+#include "liquidBodies/LiquidBody.H"
+
+#include <numbers>
+
+namespace shizuku
+{
+
+class SphereBody : public LiquidBody
+{
+public:
+    SphereBody(const Dictionary& dict, const std::filesystem::path&)
+    :
+        centre_(dict.lookupDimensionedVector("centre", dimensions::length)),
+        radius_(dict.lookupPositive("radius", dimensions::length))
+    {}
+
+    BodyFrame frame() const override { return {centre_}; }
+    Vector3 low() const override { return {-radius_, -radius_, -radius_}; }
+    Vector3 high() const override { return {radius_, radius_, radius_}; }
+    bool contains(const Vector3& x) const override { return squaredLength(x - centre_) <= radius_*radius_; }
+    double volume() const override { return 4*std::numbers::pi/3*radius_*radius_*radius_; }
+
+private:
+    Vector3 centre_;
+    double radius_;
+};
+
+static const LiquidBodyTable::Add<SphereBody> registered{"sphere"};
+
+}

@@ -1,0 +1,56 @@
+#include "meshes/NearestPoint.H"
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+#include <utility>
+
+namespace shizuku
+{
+
+namespace
+{
+    namespace bg = boost::geometry;
+    using Point = bg::model::point<double, 3, bg::cs::cartesian>;
+    using Entry = std::pair<Point, std::size_t>;
+
+    std::vector<Entry> entries(const std::vector<Vector3>& points)
+    {
+        std::vector<Entry> result;
+        result.reserve(points.size());
+        for (const Vector3& p : points) result.emplace_back(Point(p.x, p.y, p.z), result.size());
+        return result;
+    }
+}
+
+struct NearestPoint::Tree
+{
+    bg::index::rtree<Entry, bg::index::linear<8>> points;
+};
+
+NearestPoint::NearestPoint(const std::vector<Vector3>& points) : tree_(new Tree{decltype(Tree::points)(entries(points))})
+{}
+
+NearestPoint::~NearestPoint() = default;
+
+std::size_t NearestPoint::operator()(const Vector3& x) const
+{
+    return tree_->points.qbegin(bg::index::nearest(Point(x.x, x.y, x.z), 1))->second;
+}
+
+std::vector<std::size_t> NearestPoint::operator()(const Vector3& x, std::size_t count) const
+{
+    std::vector<std::size_t> result;
+    for
+    (
+        auto found = tree_->points.qbegin(bg::index::nearest(Point(x.x, x.y, x.z), unsigned(count)));
+        found != tree_->points.qend(); ++found
+    )
+    {
+        result.push_back(found->second);
+    }
+    return result;
+}
+
+}

@@ -1,0 +1,31 @@
+#include "meshes/VolumeOffset.H"
+
+#include <cmath>
+
+namespace shizuku
+{
+
+double offsetToVolume(TriangleMesh& mesh, double volume, double most)
+{
+    TriangleMesh moved = mesh;
+    double offset = 0;
+    // Newton: the volume grows by the area times the offset.
+    for (int step = 0; step < 10; ++step)
+    {
+        const double missing = volume - moved.volume();
+        if (std::abs(missing) <= 1e-4 * volume)
+        {
+            mesh = std::move(moved);
+            return offset;
+        }
+        offset += missing / moved.area();
+        if (!(std::abs(offset) <= most)) break;
+        for (std::size_t k = 0; k < mesh.vertices.size(); ++k)
+        {
+            moved.vertices[k] = mesh.vertices[k] + offset * mesh.normals[k];
+        }
+    }
+    return std::nan("");
+}
+
+}

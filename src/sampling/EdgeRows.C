@@ -1,0 +1,99 @@
+#include "sampling/EdgeRows.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+const double sharpCosine = std::sqrt(0.75);     // 30 degrees
+constexpr double rowGap = 0.95;                 // between particles of a row, in spacings
+constexpr double leastGap = 0.75;               // in spacings
+constexpr double step = 0.05;                   // between the places that are tried, in spacings
+
+// The row along one side of a sharp edge: its places, numbered from the edge's start.
+class Row
+{
+public:
+    Row(const ParticleLayer& layer, int face, int k, int other) : layer_(layer), face_(face)
+    {
+        const SurfaceGeometry& surface = layer.surface();
+        const Vector3& normal = surface.faceNormal(face);
+        const Vector3& otherNormal = surface.faceNormal(other);
+        start_ = surface.corners(face)[k];
+        edge_ = surface.corners(face)[(k + 1) % 3] - start_;
+        last = 1 + static_cast<int>(length(edge_)/(step*layer.spacing()));
+
+        // Both layers are at this distance from the edge where they meet: offset*tan(half the angle of the normals).
+        const Vector3 inward = normalized(cross(normal, edge_));
+        inset_ = layer.offset()*dot(inward, otherNormal)/(1 + dot(normal, otherNormal))*inward;
+        exists = dot(inset_, inward) > 0;
+    }
+
+    LayerParticle place(int i) const
+    {
+        return layer_.particleAt(layer_.surface().move({face_, start_ + double(i)/last*edge_}, inset_));
+    }
+
+    int last = 0;           // place
+    bool exists = false;    // not where the layers do not meet
+
+private:
+    const ParticleLayer& layer_;
+    int face_;
+    Vector3 start_, edge_, inset_;
+};
+
+std::vector<Row> findRows(const ParticleLayer& layer)
+{
+    const SurfaceGeometry& surface = layer.surface();
+    std::vector<Row> rows;
+    for (int face = 0; face < surface.faces(); ++face)
+    {
+        for (int k = 0; k < 3; ++k)
+        {
+            const int other = surface.neighbour(face, k);
+            if (other < 0 || dot(surface.faceNormal(face), surface.faceNormal(other)) > sharpCosine) continue;
+            const Row row(layer, face, k, other);
+            if (row.exists) rows.push_back(row);
+        }
+    }
+    return rows;
+}
+
+}
+
+void addEdgeRows(ParticleLayer& layer)
+{
+    const std::vector<Row> rows = findRows(layer);
+    PointGrid grid = layer.grid(rowGap*layer.spacing());
+    const auto isClear = [&](const LayerParticle& particle) { return layer.clear(particle); };
+    const auto add = [&](LayerParticle particle, double gap)
+    {
+        if (grid.anyWithin(particle.position, gap*layer.spacing())) return;
+        particle.fixed = true;
+        grid.insert(particle.position);
+        layer.particles().push_back(particle);
+    };
+
+    // First where rows end at another face, in a corner; every edge has two rows, which start at either end.
+    for (const Row& row : rows)
+    {
+        int i = 0;
+        while (i <= row.last && !isClear(row.place(i))) ++i;
+        if (i > 0 && i <= row.last) add(row.place(i), leastGap);
+    }
+    for (const double gap : {rowGap, leastGap})
+    {
+        for (const Row& row : rows)
+        {
+            for (int i = 0; i <= row.last; ++i)
+            {
+                const LayerParticle particle = row.place(i);
+                if (isClear(particle)) add(particle, gap);
+            }
+        }
+    }
+}
+
+}

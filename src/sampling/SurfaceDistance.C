@@ -1,0 +1,48 @@
+#include "sampling/SurfaceDistance.H"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <vector>
+
+namespace shizuku
+{
+
+namespace
+{
+    using Kernel = CGAL::Simple_cartesian<double>;
+    using Triangles = std::vector<Kernel::Triangle_3>;
+    using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+    using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+}
+
+struct SurfaceDistance::Tree
+{
+    Triangles triangles;
+    AabbTree tree;
+};
+
+SurfaceDistance::SurfaceDistance(const TriangleMesh& mesh) : tree_(std::make_unique<Tree>())
+{
+    const auto point = [&](int v) -> Kernel::Point_3
+    {
+        const Vector3& x = mesh.vertices[v];
+        return {x.x, x.y, x.z};
+    };
+    for (const auto& f : mesh.faces) tree_->triangles.emplace_back(point(f[0]), point(f[1]), point(f[2]));
+    tree_->tree.insert(tree_->triangles.cbegin(), tree_->triangles.cend());
+    tree_->tree.build();
+    tree_->tree.accelerate_distance_queries();
+}
+
+SurfaceDistance::~SurfaceDistance() = default;
+
+double SurfaceDistance::operator()(const Vector3& x) const
+{
+    return std::sqrt(tree_->tree.squared_distance({x.x, x.y, x.z}));
+}
+
+}

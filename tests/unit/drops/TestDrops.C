@@ -1,0 +1,90 @@
+#include "drops/Drops.H"
+#include "caseFiles/WallPlane.H"
+#include "support/CapMesh.H"
+
+#include <gtest/gtest.h>
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+TriangleMesh cubeAt(const Vector3& corner, double side, bool inward = false)
+{
+    TriangleMesh cube = cubeMesh(side);
+    for (Vector3& v : cube.vertices) v += corner;
+    for (auto& face : cube.faces)
+    {
+        if (inward) std::swap(face[0], face[1]);
+    }
+    return cube;
+}
+
+constexpr double rounding = 1e-12;
+
+}
+
+TEST(Drops, LargestFirstAndSplashesLeftOut)
+{
+    const TriangleMesh mesh = joined(joined(cubeAt({0, 0, 0}, 1), cubeAt({5, 0, 0}, 2)), cubeAt({9, 0, 0}, 0.1));
+    const std::vector<Drop> drops = separateDrops(mesh, 0.01);
+    ASSERT_EQ(drops.size(), 2u);
+    EXPECT_NEAR(drops[0].volume, 8, rounding);
+    EXPECT_NEAR(drops[1].volume, 1, rounding);
+    EXPECT_NEAR(length(drops[0].surface.centroid() - Vector3(6, 1, 1)), 0, rounding);
+}
+
+TEST(Drops, CavitiesAreTakenOffTheDropAroundThem)
+{
+    const TriangleMesh bubble = cubeAt({5.5, 0.5, 0.5}, 1, true);
+    const TriangleMesh mesh = joined(joined(cubeAt({0, 0, 0}, 1), bubble), cubeAt({5, 0, 0}, 2));
+    const std::vector<Drop> drops = separateDrops(mesh, 0.01);
+    ASSERT_EQ(drops.size(), 2u);
+    EXPECT_NEAR(drops[0].volume, 8 - 1, rounding);
+    EXPECT_NEAR(drops[1].volume, 1, rounding);
+    EXPECT_EQ(drops[0].surface.faces.size(), 12u);      // the outer surface alone
+}
+
+TEST(WallPlane, LiesHalfASpacingAboveTheParticlesOfATiltedPatch)
+{
+    const double spacing = 1e-4;
+    const Vector3 normal = normalized({0.2, -0.4, 1}), u = perpendicular(normal), v = cross(normal, u);
+    CaseWalls walls;
+    walls.solid.patches = {"side", "floor"};
+    for (int i = -10; i <= 10; ++i)
+    {
+        for (int j = -10; j <= 10; ++j)
+        {
+            walls.solid.positions.push_back(spacing*(i*u + j*v));
+            walls.solid.normals.push_back(-normal);         // the liquid is below
+            walls.solid.patch.push_back(1);
+            walls.solid.positions.push_back(spacing*(i*u + 20*normal) + 5e-3*normal);
+            walls.solid.normals.push_back(normal);
+            walls.solid.patch.push_back(0);
+        }
+    }
+    const auto plane = planeOf(walls, "floor", spacing);
+    ASSERT_TRUE(plane);
+    EXPECT_NEAR(dot(plane->normal, -normal), 1, 1e-12);
+    EXPECT_NEAR(plane->distance({0, 0, 0}), -0.5*spacing, 1e-12*spacing);
+    EXPECT_FALSE(planeOf(walls, "side", spacing));          // its particles stand on a line
+    EXPECT_FALSE(planeOf(walls, "roof", spacing));
+}
+
+TEST(WallPlane, CurvedPatchesAreNone)
+{
+    const double spacing = 1e-4;
+    CaseWalls walls;
+    walls.solid.patches = {"bowl"};
+    for (int i = -20; i <= 20; ++i)
+    {
+        for (int j = -20; j <= 20; ++j)
+        {
+            walls.solid.positions.push_back({i*spacing, j*spacing, 50*(i*i + j*j)*spacing*spacing});    // R = 10 mm
+            walls.solid.normals.push_back({0, 0, 1});
+            walls.solid.patch.push_back(0);
+        }
+    }
+    EXPECT_FALSE(planeOf(walls, "bowl", spacing));
+}

@@ -1,0 +1,361 @@
+#include "liquidBodies/LiquidChecks.H"
+#include "support/ScratchFolder.H"
+#include "support/Surfaces.H"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numbers>
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+std::unique_ptr<LiquidBody> make(const std::string& text, const std::filesystem::path& casePath = {})
+{
+    const Dictionary dict = Dictionary::parse(text, "system/fillLiquidDict");
+    return LiquidBodyTable::New("liquid body", dict.lookup<std::string>("type"), dict.where("type"), dict, casePath);
+}
+
+FilledBody fill(const std::string& name, const std::string& text, double spacing)
+{
+    FilledBody body{name, {"system/fillLiquidDict", 1}, make(text), {}, {}, {}};
+    body.positions = fillLattice(*body.shape, spacing, body.where);
+    return body;
+}
+
+// One particle a spacing^3: the nearest whole number of them.
+void expectCount(const LiquidBody& body)
+{
+    EXPECT_NEAR(double(fillLattice(body, 1, {}).size()), body.volume(), 0.5);
+}
+
+// Particles on a square lattice at z = -0.5: a floor whose surface is z = 0.
+SolidParticles floorParticles(int n)
+{
+    SolidParticles solid;
+    solid.patches = {"floor"};
+    for (int i = -n; i <= n; ++i)
+    {
+        for (int j = -n; j <= n; ++j)
+        {
+            solid.positions.emplace_back(i, j, -0.5);
+            solid.normals.emplace_back(0, 0, 1);
+            solid.patch.push_back(0);
+        }
+    }
+    return solid;
+}
+
+}
+
+TEST(LiquidBodies, boxStartsHalfASpacingFromItsCorner)
+{
+    const auto box = make("type box; min (1 2 3); max (5 5 5);");
+    EXPECT_DOUBLE_EQ(box->volume(), 4*3*2);
+    const auto points = fillLattice(*box, 0.5, {});
+    ASSERT_EQ(points.size(), 8u*6*4);
+    EXPECT_EQ(points.front(), Vector3(1.25, 2.25, 3.25));
+    EXPECT_EQ(points.back(), Vector3(4.75, 4.75, 4.75));
+}
+
+TEST(LiquidBodies, countsFollowTheVolumes)
+{
+    const double pi = std::numbers::pi;
+    const auto sphere = make("type sphere; centre (1e-3 0 0); radius 8;");
+    EXPECT_NEAR(sphere->volume(), 4*pi/3*512, 1e-9);
+    expectCount(*sphere);
+
+    // An ellipsoid reaches to its semi-axes.
+    const auto ellipsoid = make("type ellipsoid; centre (0 0 1e-3); semiAxes (8 6 7);");
+    EXPECT_NEAR(ellipsoid->volume(), 4*pi/3*336, 1e-9);
+    expectCount(*ellipsoid);
+    EXPECT_TRUE(ellipsoid->contains({7.99, 0, 0}));
+    EXPECT_FALSE(ellipsoid->contains({0, 6.01, 0}));
+    EXPECT_TRUE(holds(messageOf([] { make("type ellipsoid; centre (0 0 0); semiAxes (1 0 1);"); }), {"semi-axes", "(a b c)"}));
+
+    const auto cylinder = make("type cylinder; point (0 0 0); axis (1 1 1); radius 6; height 10;");
+    EXPECT_NEAR(cylinder->volume(), pi*360, 1e-9);
+    expectCount(*cylinder);
+}
+
+// A spacing that divides no edge: 10.4, 7.3 and 5.7 of them.
+TEST(LiquidBodies, boxOfBrokenSpacingsHasItsVolumeInWholeRows)
+{
+    const auto box = make("type box; min (0 0 0); max (10.4 7.3 5.7);");
+    expectCount(*box);
+    const auto points = fillLattice(*box, 1, {});
+    std::map<double, int> layers;
+    for (const Vector3& x : points)
+    {
+        EXPECT_GT(std::min({x.x, x.y, 10.4 - x.x, 7.3 - x.y}), 0.5);
+        ++layers[std::round(1e6*x.z)];
+    }
+    // 10 x 7 rows; all layers are complete but for the top one.
+    ASSERT_EQ(layers.size(), 7u);
+    for (auto layer = layers.begin(); layer != std::prev(layers.end()); ++layer) EXPECT_EQ(layer->second, 70);
+    EXPECT_EQ(layers.rbegin()->second, 433 - 6*70);
+}
+
+TEST(LiquidBodies, incompleteLayersAreSpreadEvenly)
+{
+    // A film of 0.4 spacings: in each quarter two fifths of the cells, to a few particles.
+    const auto points = fillLattice(*make("type cylinder; point (0 0 0); axis (0 0 1); radius 20; height 0.4;"), 1, {});
+    EXPECT_NEAR(points.size(), 503, 1);     // 0.4 pi 400 = 502.65
+    int left = 0, front = 0;
+    for (const Vector3& x : points)
+    {
+        left += x.x < 0;
+        front += x.y < 0;
+    }
+    EXPECT_NEAR(left, 251, 15);
+    EXPECT_NEAR(front, 251, 15);
+}
+
+TEST(LiquidBodies, latticesAreCentred)
+{
+    Vector3 mean;
+    const auto points = fillLattice(*make("type sphere; centre (0 0 0); radius 5.2;"), 1, {});
+    for (const Vector3& x : points) mean += x;
+    // Symmetric but for the outermost shell, of at most 48 places at 5.2 spacings, which is filled evenly as far as the
+    // 589 particles go: sqrt(48)/2*5.2/589 spacings were it by chance, twice that is allowed.
+    EXPECT_EQ(points.size(), 589u);
+    EXPECT_NEAR(length(mean/double(points.size())), 0, 0.06);
+}
+
+TEST(LiquidBodies, capHasItsVolumeItsAngleAndStandsOnThePlane)
+{
+    for (const double angle : {30.0, 60.0, 90.0, 120.0, 180.0})
+    {
+        std::ostringstream text;
+        text << "type cap; centre (1 1 1); normal (0 0 1); contactAngle " << angle << "; volume 4000;";
+        const auto cap = make(text.str());
+        EXPECT_DOUBLE_EQ(cap->volume(), 4000);
+
+        // A cap of height H and base radius a has the volume pi H (3 a^2 + H^2)/6 and, by the half-angle formula,
+        // tan(angle/2) = H/a. Where the base and the top are is found by asking contains(); bisection to 1e-9.
+        const auto extent = [&](const Vector3& from, const Vector3& direction)
+        {
+            double in = 0, out = 100;
+            while (out - in > 1e-9) (cap->contains(from + 0.5*(in + out)*direction) ? in : out) = 0.5*(in + out);
+            return in;
+        };
+        const double H = extent({1, 1, 1}, {0, 0, 1}), a = angle < 180 ? extent({1, 1, 1 + 1e-12}, {1, 0, 0}) : 0;
+        EXPECT_NEAR(std::numbers::pi*H*(3*a*a + H*H)/6, 4000, 1e-4);
+        EXPECT_NEAR(2*std::atan2(H, a)*180/std::numbers::pi, angle, 1e-5);
+
+        const auto points = fillLattice(*cap, 1, {});
+        double lowest = 1e9;
+        for (const Vector3& x : points) lowest = std::min(lowest, x.z);
+        // A spherical drop touches in one point: its first layer may be too small for a particle.
+        if (angle < 180)
+        {
+            EXPECT_DOUBLE_EQ(lowest, 1.5);
+        }
+        EXPECT_EQ(points.size(), 4000u);
+    }
+}
+
+TEST(LiquidBodies, tiltedCapHasTheLatticeOfItsWall)
+{
+    const Vector3 normal = normalized({1, 2, 3});
+    const auto points = fillLattice
+    (
+        *make("type cap; centre (0 0 0); normal (1 2 3); contactAngle 90; volume 500;"), 1, {}
+    );
+    for (const Vector3& x : points)
+    {
+        const double layer = dot(x, normal) - 0.5;
+        EXPECT_NEAR(layer, std::round(layer), 1e-12);
+        EXPECT_GT(layer, -1e-12);
+    }
+}
+
+TEST(LiquidBodies, badBodiesAreRefused)
+{
+    EXPECT_TRUE(holds(messageOf([] { make("type blob;"); }), {"blob", "sphere", "cylinder", "cap", "box"}));
+    EXPECT_TRUE(holds(messageOf([] { make("type sphere; centre (0 0 0); radius -1;"); }), {"radius", "-1"}));
+    EXPECT_TRUE(holds(messageOf([] { make("type box; min (0 0 0); max (1 -1 1);"); }), {"min", "max"}));
+    EXPECT_TRUE(holds
+    (
+        messageOf([] { make("type cap; centre (0 0 0); normal (0 0 1); contactAngle 200; volume 1;"); }),
+        {"contact angle", "200"}
+    ));
+    const auto small = make("type sphere; centre (0 0 0); radius 0.1;");
+    EXPECT_TRUE(holds(messageOf([&] { fillLattice(*small, 1, {}); }), {"smaller than the particle spacing"}));
+    EXPECT_TRUE(holds(messageOf([&] { fillLattice(*small, 1e-5, {}); }), {"2^31"}));
+}
+
+TEST(LiquidChecks, liquidOnAPlaneIsAcceptedAndBelowItRefused)
+{
+    const auto walls = readAnalyticSurfaces(Dictionary::parse("floor { type plane; point (0 0 0); normal (0 0 1); }"));
+    const auto keepOut = [&](FilledBody body) { keepOutOfWalls(body, walls, 1); };
+    EXPECT_NO_THROW(keepOut(fill("drop", "type box; min (0 0 0); max (4 4 4);", 1)));
+
+    // Two of five layers are below: 2*16 particles, the first one in the corner.
+    FilledBody sunk = fill("drop", "type box; min (0 0 -2); max (4 4 3);", 1);
+    EXPECT_TRUE(holds
+    (
+        messageOf([&] { keepOutOfWalls(sunk, walls, 1); }),
+        {"plane 'floor'", "32 of the 80", "'drop'", "(0.5 0.5 -1.5)", "fillLiquidDict", "overlaps carve"}
+    ));
+    // Or they are left out.
+    sunk.carve = true;
+    keepOutOfWalls(sunk, walls, 1);
+    EXPECT_EQ(sunk.positions.size(), 48u);
+    for (const Vector3& x : sunk.positions) EXPECT_GT(x.z, 0);
+    ASSERT_EQ(sunk.leftOut.size(), 1u);
+    EXPECT_TRUE(holds(sunk.leftOut[0], {"32 particles", "plane 'floor'"}));
+    // But not all of them.
+    FilledBody below = fill("drop", "type box; min (0 0 -2); max (4 4 0);", 1);
+    below.carve = true;
+    EXPECT_TRUE(holds(messageOf([&] { keepOutOfWalls(below, walls, 1); }), {"32 of the 32"}));
+}
+
+TEST(LiquidChecks, liquidOnSolidParticlesIsAcceptedAndBehindThemRefused)
+{
+    const SolidParticles solid = floorParticles(10);
+    const auto keepOut = [&](FilledBody body) { keepOutOfSolid(body, solid, 1); };
+    EXPECT_NO_THROW(keepOut(fill("drop", "type box; min (0 0 0); max (4 4 4);", 1)));
+
+    // Far behind the layer, further from any particle than the least distance.
+    EXPECT_TRUE(holds
+    (
+        messageOf([&] { keepOut(fill("drop", "type box; min (0 0 -6); max (4 4 -4);", 1)); }),
+        {"wall 'floor'", "32 of the 32"}
+    ));
+    // Too near in front of it: 0.3 + 0.5 spacings.
+    EXPECT_TRUE(holds
+    (
+        messageOf([&] { keepOut(fill("drop", "type box; min (-0.5 -0.5 -0.2); max (3.5 3.5 2);", 1)); }),
+        {"wall 'floor'", "16 of the 35"}
+    ));
+    // Below the floor's level, but beside it.
+    EXPECT_NO_THROW(keepOut(fill("drop", "type box; min (14 0 -6); max (18 4 -4);", 1)));
+}
+
+TEST(LiquidChecks, overlappingBodiesAreRefused)
+{
+    std::vector<FilledBody> bodies;
+    bodies.push_back(fill("left", "type box; min (0 0 0); max (4 4 4);", 1));
+    bodies.push_back(fill("right", "type box; min (4 0 0); max (8 4 4);", 1));
+    EXPECT_NO_THROW(keepApart(bodies, 1));
+
+    // Half a cell off in all directions, so that no two particles are near: 0.87 spacings.
+    bodies.push_back(fill("third", "type box; min (6.5 2.5 2.5); max (9.5 5.5 5.5);", 1));
+    EXPECT_TRUE(holds(messageOf([&] { keepApart(bodies, 1); }), {"'right'", "'third'"}));
+
+    // The one that asks for it gives way: its 2 x 2 x 2 corner in the other one, of 3 x 3 x 3.
+    for (const std::size_t givesWay : {2, 1})
+    {
+        std::vector<FilledBody> both;
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+            both.push_back(fill(bodies[i].name, "type sphere; centre (0 0 0); radius 1;", 1));
+            both[i].positions = bodies[i].positions;
+            both[i].shape = std::move(bodies[i].shape);
+        }
+        both[givesWay].carve = true;
+        keepApart(both, 1);
+        EXPECT_EQ(both[2].positions.size(), givesWay == 2 ? 27u - 8u : 27u);
+        EXPECT_EQ(both[1].positions.size(), givesWay == 1 ? 64u - 8u : 64u);
+        for (std::size_t i = 0; i < 3; ++i) bodies[i].shape = std::move(both[i].shape);
+    }
+}
+
+TEST(FilledBody, turnsAboutItsCentroid)
+{
+    FilledBody body = fill("drop", "type box; min (1 1 1); max (3 5 7);", 1);
+    body.velocity = {0, 0, -1};
+    body.angularVelocity = {0, 0, 2};
+    const auto velocities = body.velocities();
+    Vector3 momentum;
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+    {
+        const Vector3 r = body.positions[i] - Vector3(2, 3, 4);
+        EXPECT_NEAR(length(velocities[i] - Vector3(-2*r.y, 2*r.x, -1)), 0, 1e-12);
+        momentum += velocities[i];
+    }
+    EXPECT_NEAR(length(momentum/double(velocities.size()) - body.velocity), 0, 1e-12);
+}
+
+namespace
+{
+
+// A case with the surface as constant/triSurface/body.stl.
+void writeSurface(const ScratchFolder& folder, const PatchedSurface& surface)
+{
+    folder.write("constant/triSurface/body.stl", stlText(surface, "body"));
+}
+
+}
+
+TEST(SurfaceBody, fillsTheInsideOfAClosedSurfaceToItsVolume)
+{
+    const ScratchFolder folder;
+    writeSurface(folder, sphere(8, 3));
+    const auto body = make("type surface; file \"body.stl\"; scale 0.5; translate (10 0 0);", folder.path());
+    // Nearly the ball of radius 4 around (10 0 0): the 768 facets cut off less than 2 %.
+    EXPECT_NEAR(body->volume(), 268.1, 5.4);
+    const auto points = fillLattice(*body, 0.5, {});
+    EXPECT_NEAR(points.size(), body->volume()/0.125, 0.5);
+    // A cell of edge 0.5 that has the larger part inside has its middle at most about half an edge outside.
+    for (const Vector3& x : points) EXPECT_LT(length(x - Vector3(10, 0, 0)), 4.25);
+}
+
+TEST(SurfaceBody, standsOnThePlaneUnderIt)
+{
+    const ScratchFolder folder;
+    writeSurface(folder, cube(4));
+    const auto points = fillLattice(*make("type surface; file \"body.stl\";", folder.path()), 1, {});
+    ASSERT_EQ(points.size(), 64u);
+    EXPECT_EQ(points.front(), Vector3(0.5, 0.5, 0.5));
+}
+
+TEST(SurfaceBody, inwardFacesAreTheSameAndAShellInsideIsABubble)
+{
+    const ScratchFolder folder;
+    PatchedSurface box = cube(6);
+    for (auto& face : box.mesh.faces) std::swap(face[0], face[1]);
+    writeSurface(folder, box);
+    EXPECT_EQ(fillLattice(*make("type surface; file \"body.stl\";", folder.path()), 1, {}).size(), 216u);
+
+    PatchedSurface hollow = cube(6);
+    const PatchedSurface bubble = cube(2);
+    const int offset = int(hollow.mesh.vertices.size());
+    for (const Vector3& v : bubble.mesh.vertices) hollow.mesh.vertices.push_back(v + Vector3(2, 2, 2));
+    for (const auto& [i, j, k] : bubble.mesh.faces) hollow.mesh.faces.push_back({offset + j, offset + i, offset + k});
+    hollow.patch.resize(hollow.mesh.faces.size(), 0);
+    writeSurface(folder, hollow);
+    const auto points = fillLattice(*make("type surface; file \"body.stl\";", folder.path()), 1, {});
+    EXPECT_EQ(points.size(), 216u - 8u);
+    for (const Vector3& x : points) EXPECT_GT(std::max({std::abs(x.x - 3), std::abs(x.y - 3), std::abs(x.z - 3)}), 1);
+}
+
+TEST(SurfaceBody, surfacesThatEncloseNothingAreRefused)
+{
+    const ScratchFolder folder;
+    const auto message = [&](const std::string& text)
+    {
+        return messageOf([&] { make("type surface; file \"body.stl\";" + text, folder.path()); });
+    };
+    EXPECT_TRUE(holds(message(""), {"Cannot read", "body.stl"}));
+    writeSurface(folder, rectangle(3, 3));
+    EXPECT_TRUE(holds(message(""), {"body.stl", "encloses no body", "4 open edges", "closed surface"}));
+    PatchedSurface torn = cube(3);
+    torn.mesh.faces.pop_back();
+    torn.patch.pop_back();
+    writeSurface(folder, torn);
+    EXPECT_TRUE(holds(message(""), {"3 open edges"}));
+    PatchedSurface twisted = cube(3);
+    std::swap(twisted.mesh.faces[0][0], twisted.mesh.faces[0][1]);
+    writeSurface(folder, twisted);
+    EXPECT_TRUE(holds(message(""), {"3 edges between triangles that are turned against each other"}));
+    writeSurface(folder, cube(3));
+    EXPECT_TRUE(holds(message("scale 0;"), {"scale"}));
+    EXPECT_TRUE(holds(message("translate 3;"), {"translate"}));
+}
+
+}

@@ -1,0 +1,238 @@
+#include "sampling/SeedMethod.H"
+#include "sampling/SurfaceRepair.H"
+#include "sampling/SurfaceSampler.H"
+#include "support/ScratchFolder.H"
+#include "support/Shapes.H"
+#include "support/Surfaces.H"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+// Spacing 1 throughout. What is asked of every layer: no gap below 0.7 and no hole above 1.0 spacings.
+void expectGoodCover(const LayerQuality& quality)
+{
+    EXPECT_GE(quality.minGap, 0.7);
+    EXPECT_LE(quality.largestHole, 1.0);
+}
+
+SampledSurface sample(const PatchedSurface& surface, const std::string& method = "poissonDisk", double offset = -0.5)
+{
+    return sampleSurface(surface, {1, offset, method, 30, CubicSpline(2)}, "test");
+}
+
+// The least distance between any two of the points, by comparing all pairs.
+double leastGap(const std::vector<Vector3>& points)
+{
+    double least2 = 1e30;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        for (std::size_t j = 0; j < i; ++j) least2 = std::min(least2, squaredLength(points[i] - points[j]));
+    }
+    return std::sqrt(least2);
+}
+
+}
+
+TEST(Sampling, planeGetsALatticeHalfASpacingBelow)
+{
+    const SampledSurface floor = sample(rectangle(47.3, 31.7));
+    expectGoodCover(floor.quality);
+    EXPECT_LE(floor.quality.densityVariation, 0.02);
+    // A triangular lattice has 2/sqrt(3) particles a squared spacing. Fitting it to the sides changes rows and columns
+    // by half of one at most: 1/60 + 1/70.
+    EXPECT_NEAR(floor.quality.count, 2/std::sqrt(3.0)*47.3*31.7, 0.04*47.3*31.7);
+    for (const Vector3& x : floor.particles.positions)
+    {
+        ASSERT_NEAR(x.z, -0.5, 1e-12);
+        // To rounding: a particle may slide along the border.
+        ASSERT_TRUE(x.x > -1e-9 && x.x < 47.3 + 1e-9 && x.y > -1e-9 && x.y < 31.7 + 1e-9) << str(x);
+    }
+    for (const Vector3& n : floor.particles.normals) ASSERT_EQ(n, Vector3(0, 0, 1));
+    // Neighbours in a lattice that was fitted to the sides by less than half a row of 30.
+    EXPECT_NEAR(floor.quality.maxGap, 1, 0.02);
+    // A triangular lattice of spacing 1: V = 1/sum W = 1.24 (cubic spline, support 2), more at the border, which has
+    // half of the neighbours.
+    EXPECT_NEAR(floor.quality.minVolume, 1.24, 0.02);
+    EXPECT_LT(floor.quality.maxVolume, 4*1.24);
+    EXPECT_GT(floor.quality.meanVolume, floor.quality.minVolume);
+    EXPECT_DOUBLE_EQ(leastGap(floor.particles.positions), floor.quality.minGap);
+}
+
+TEST(Sampling, sphereIsCoveredEvenlyByBothMethods)
+{
+    for (const std::string& method : SeedMethodTable::words())
+    {
+        SCOPED_TRACE(method);
+        const SampledSurface ball = sample(sphere(10, 4), method);
+        expectGoodCover(ball.quality);
+        EXPECT_NEAR(leastGap(ball.particles.positions), ball.quality.minGap, 1e-12);
+        // Defects between patches of lattice, which a sphere must have, vary the density by 3 to 4 percent.
+        EXPECT_LE(ball.quality.densityVariation, 0.06);
+        for (std::size_t i = 0; i < ball.particles.positions.size(); ++i)
+        {
+            // The layer has the radius 9.5; facets of 3072 triangles on a sphere of radius 10 lie up to 0.03 deeper.
+            ASSERT_NEAR(length(ball.particles.positions[i]), 9.5, 0.03);
+            // Smoothed normals are within a degree of the sphere's.
+            ASSERT_GT(dot(ball.particles.normals[i], normalized(ball.particles.positions[i])), 0.9998);
+        }
+    }
+}
+
+TEST(Sampling, cubeHasNoParticleNearerToAFaceThanItsOwn)
+{
+    for (const double edge : {6.0, 8.74, 12.0, 18.33})
+    {
+        const SampledSurface box = sample(cube(edge));
+        expectGoodCover(box.quality);
+        for (const Vector3& x : box.particles.positions)
+        {
+            const double depth = std::min({x.x, x.y, x.z, edge - x.x, edge - x.y, edge - x.z});
+            ASSERT_NEAR(depth, 0.5, 0.05 + 1e-9);       // 0.9 of the offset is what beside an edge passes for clear
+        }
+    }
+}
+
+TEST(Sampling, thinPlateIsCoveredByParticlesThatBothSidesShare)
+{
+    PatchedSurface plate = cube(20);
+    for (Vector3& v : plate.mesh.vertices) v.z *= 0.03;
+    expectGoodCover(sample(plate).quality);
+}
+
+TEST(Sampling, sameInputGivesTheSameParticles)
+{
+    const PatchedSurface ball = sphere(6, 3);
+    EXPECT_EQ(sample(ball).particles.positions, sample(ball).particles.positions);
+}
+
+TEST(Sampling, patchesAreKept)
+{
+    PatchedSurface surface = rectangle(20, 20);
+    surface.patches = {"left", "right"};
+    surface.patch = {0, 1};
+    const SampledSurface sampled = sample(surface);
+    expectGoodCover(sampled.quality);
+    const auto right = std::count(sampled.particles.patch.begin(), sampled.particles.patch.end(), 1);
+    // Half of the particles, but for those along the diagonal of 28 spacings.
+    EXPECT_NEAR(double(right), 0.5*sampled.quality.count, 28);
+}
+
+TEST(SurfaceRepair, soupBecomesAClosedMesh)
+{
+    const RepairedSurface repaired = repairSurface(soupOf(cube(10)), 8, "cube.stl");
+    EXPECT_EQ(repaired.surface.mesh.vertices.size(), 8u);
+    EXPECT_DOUBLE_EQ(repaired.surface.mesh.volume(), 1000);
+    EXPECT_TRUE(repaired.report.empty());
+}
+
+TEST(SurfaceRepair, defectsAreMendedAndSaid)
+{
+    PatchedSurface dirty = cube(10);
+    std::swap(dirty.mesh.faces[3][0], dirty.mesh.faces[3][1]);      // flipped
+    dirty.mesh.faces.push_back(dirty.mesh.faces[0]);                // duplicate
+    dirty.mesh.faces.push_back({0, 1, 1});                          // degenerate
+    dirty.patch.assign(dirty.mesh.faces.size(), 0);
+    const RepairedSurface repaired = repairSurface(soupOf(dirty), 8, "cube.stl");
+    EXPECT_DOUBLE_EQ(repaired.surface.mesh.volume(), 1000);
+    EXPECT_EQ
+    (
+        repaired.report,
+        (std::vector<std::string>
+        {
+            "1 degenerate triangle removed", "1 duplicate triangle removed",
+            "1 flipped triangle turned to agree with the others"
+        })
+    );
+}
+
+TEST(SurfaceRepair, smallHolesAreClosedAndLargeBordersLeftOpen)
+{
+    PatchedSurface ball = sphere(10, 3);
+    const double volume = ball.mesh.volume();
+    ball.mesh.faces.pop_back();
+    ball.patch.pop_back();
+    // One of 768 triangles on a sphere of radius 10 has edges of about 2.
+    const RepairedSurface closed = repairSurface(soupOf(ball), 4, "ball.stl");
+    EXPECT_EQ(closed.report, std::vector<std::string>{"1 small hole closed"});
+    EXPECT_TRUE(closed.closed);
+    EXPECT_NEAR(closed.surface.mesh.volume(), volume, 1e-9*volume);
+    const RepairedSurface open = repairSurface(soupOf(ball), 1, "ball.stl");
+    ASSERT_EQ(open.report.size(), 1u);
+    EXPECT_TRUE(holds(open.report[0], {"1 open border left open", "m wide"}));
+    EXPECT_FALSE(open.closed);
+}
+
+TEST(SurfaceRepair, cracksAlongAFinerFaceAreJoined)
+{
+    const RepairedSurface repaired = repairSurface(soupOf(crackedBox()), 4, "cracked.stl");
+    ASSERT_EQ(repaired.report.size(), 2u);
+    EXPECT_TRUE(holds(repaired.report[0], {"pieces that touch in a vertex"}));      // top and rest, in four corners
+    EXPECT_EQ(repaired.report[1], "16 edges along cracks joined");                  // twice 5 and 3
+    EXPECT_TRUE(repaired.closed);
+    EXPECT_EQ(repaired.shells, 1u);
+    // Nothing has moved: only rounding.
+    EXPECT_NEAR(repaired.surface.mesh.volume(), 12*9*7, 1e-9*12*9*7);
+    EXPECT_EQ(repaired.surface.patch.size(), repaired.surface.mesh.faces.size());
+    EXPECT_TRUE(repairSurface(repaired.surface, 4, "again.stl").report.empty());
+}
+
+TEST(SurfaceRepair, shellsThatCrossAreUnited)
+{
+    const RepairedSurface repaired = repairSurface
+    (
+        soupOf(joined(box({0, 0, 0}, {4, 4, 4}), box({2, 2, 2}, {6, 6, 6}))), 1, "boxes.stl"
+    );
+    EXPECT_EQ(repaired.report, std::vector<std::string>{"2 shells that cross each other united"});
+    EXPECT_EQ(repaired.shells, 1u);
+    EXPECT_NEAR(repaired.surface.mesh.volume(), 64 + 64 - 8, 1e-12*120);     // constructed in double precision
+}
+
+TEST(SurfaceRepair, aShellThatCrossesItselfLosesItsInside)
+{
+    const PatchedSurface eight = tube([](double t)
+    {
+        const double a = 2*std::numbers::pi*t;
+        return Vector3(14*std::sin(a), 14*std::sin(a)*std::cos(a), 0.3*std::cos(a));
+    }, true, 2.2, 60, 12);
+    const RepairedSurface repaired = repairSurface(eight, 1, "eight.stl");
+    ASSERT_EQ(repaired.report.size(), 1u);
+    EXPECT_TRUE(holds(repaired.report[0], {"cross each other cut", "inside of the solid removed"}));
+    EXPECT_TRUE(repaired.closed);
+    // Two straight rods of these 12-sided sections, at right angles and 0.6 apart, share 48.592: the integral of the product of
+    // their widths over height. Those of the figure bend a little.
+    EXPECT_NEAR(eight.mesh.volume() - repaired.surface.mesh.volume(), 48.592, 0.05);
+    EXPECT_TRUE(repairSurface(repaired.surface, 1, "again.stl").report.empty());
+}
+
+TEST(SurfaceRepair, solidsThatShareAnEdgeAreCutApartAndDoNotCross)
+{
+    const RepairedSurface repaired =
+        repairSurface(soupOf(joined(box({0, 0, 0}, {4, 4, 4}), box({4, 4, 0}, {8, 8, 4}))), 1, "boxes.stl");
+    EXPECT_EQ(repaired.report, std::vector<std::string>{"1 edge of more than two triangles cut apart"});
+    EXPECT_EQ(repaired.shells, 2u);
+    EXPECT_TRUE(repaired.closed);
+    EXPECT_DOUBLE_EQ(repaired.surface.mesh.volume(), 128);
+}
+
+TEST(SurfaceRepair, aTankKeepsItsNormalsInwards)
+{
+    PatchedSurface tank = cube(10);
+    for (auto& face : tank.mesh.faces) std::swap(face[0], face[1]);
+    EXPECT_DOUBLE_EQ(repairSurface(soupOf(tank), 8, "tank.stl").surface.mesh.volume(), -1000);
+}
+
+TEST(SurfaceRepair, nothingLeftIsRefused)
+{
+    PatchedSurface line = rectangle(10, 0);
+    EXPECT_TRUE(holds(messageOf([&] { repairSurface(line, 8, "line.stl"); }), {"line.stl", "degenerate"}));
+}
+
+}
