@@ -51,7 +51,7 @@ void writeSolidParticles
     patch.values.assign(particles.patch.begin(), particles.patch.end());
     writeFolderAtomically(folderOf(casePath), [&](const std::filesystem::path& folder)
     {
-        writeField(folder/"positions", toField("positions", dimensions::length, particles.positions), format);
+        writeField(folder/"positions", toField("positions", dimensions::length, particles.positions), format.ofPlaces());
         writeField(folder/"normals", toField("normals", dimensions::none, particles.normals), format);
         writeField(folder/"patch", patch, format);
         const auto writeDictionary = [&](const std::string& name, const auto& writeEntries)

@@ -68,18 +68,20 @@ struct Reconstruct
 {
     static constexpr Holds holds = Holds::much;
 
-    Span<const Vec3> x;
+    Span<const Position> x;
     FindContactLine findContactLine;
     Span<const scalar> depthOfRatio;
     scalar largestRatio, suction;
     Span<const std::uint32_t> place;
-    Span<Vec3> gradient, position;
+    Span<Vec3> gradient;
+    Span<Position> position;
+    Span<scalar> depth;
     Span<ContactLine> contact;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const int k = int(place[i]);
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
         Vec3 G = gradient[k];
         scalar colour = G.w;
         const ContactLine line = findContactLine(i, xi, colour, G, team);
@@ -90,7 +92,8 @@ struct Reconstruct
         G += wall.gradient;
         contact[k] = line;
         gradient[k] = {G.x, G.y, G.z, -suction};
-        position[k] = {xi.x, xi.y, xi.z, depthOf(norm(G) / colour * completion.h)};
+        position[k] = xi;
+        depth[k] = depthOf(norm(G) / colour * completion.h);
     }
 
 private:
@@ -164,10 +167,12 @@ void FreeSurface::makeRoom()
     room_ = found_ + found_ / 8;
     gradient_.discard();
     position_.discard();
+    depth_.discard();
     contact_.discard();
     device::dropKeptMemory();               // of as many as there were: nobody asks for it again
     gradient_.resize(room_);
     position_.resize(room_);
+    depth_.resize(room_);
     contact_.resize(room_);
 }
 
@@ -193,8 +198,8 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
     });
     forEachTeam(particles_, Reconstruct
     {
-        liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view()}, plane(), steepest_},
-        depthOfRatio_.span(), largestRatio_, suction_, place, gradient_.span(), position_.span(), contact_.span()
+        liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view(liquid)}, plane(), steepest_},
+        depthOfRatio_.span(), largestRatio_, suction_, place, gradient_.span(), position_.span(), depth_.span(), contact_.span()
     });
 }
 

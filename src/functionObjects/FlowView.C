@@ -34,14 +34,7 @@ const LiquidState& FlowView::state()
 
 const std::vector<Vector3>& FlowView::positions()
 {
-    if (positions_) return *positions_;
-    positions_.emplace();
-    const std::vector<Vec3> scaled = liquid_.position.download();
-    const double unit = liquid_.units().length;
-    for (int i = 0; i < liquid_.owned(); ++i)
-    {
-        positions_->push_back({scaled[i].x * unit, scaled[i].y * unit, scaled[i].z * unit});
-    }
+    if (!positions_) positions_ = liquid_.positions();
     return *positions_;
 }
 

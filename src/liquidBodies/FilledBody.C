@@ -97,7 +97,7 @@ void writeBodies
     std::size_t count = 0;
     for (const FilledBody& body : bodies) count += body.positions.size();
     const auto fill = [&](std::size_t first, std::span<double> values) { fillPositions(bodies, first, values); };
-    writeField(folder/"positions", {FieldType::vector, dimensions::length, count, fill, spacing}, format);
+    writeField(folder/"positions", {FieldType::vector, dimensions::length, count, fill, spacing}, format.ofPlaces());
     writeField(folder/"U", velocityField(bodies), format);
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <iomanip>
 #include <limits>
 
 namespace shizuku
@@ -183,18 +184,18 @@ void writeHeader(std::ostream& out, const TriangleMesh& mesh, PlyFormat format)
     out << "ply\nformat " << (format == PlyFormat::ascii ? "ascii" : "binary_little_endian") << " 1.0\n"
         << "comment lengths in metres\n"
         << "element vertex " << mesh.vertices.size() << '\n'
-        << "property float x\nproperty float y\nproperty float z\n";
+        << "property double x\nproperty double y\nproperty double z\n";        // a mesh may lie far from the origin
     if (!mesh.normals.empty()) out << "property float nx\nproperty float ny\nproperty float nz\n";
     out << "element face " << mesh.faces.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
 void writeAscii(std::ostream& out, const TriangleMesh& mesh)
 {
-    out.precision(std::numeric_limits<float>::max_digits10);
+    constexpr int ofPlaces = 14;
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     {
         const Vector3& v = mesh.vertices[i];
-        out << float(v.x) << ' ' << float(v.y) << ' ' << float(v.z);
+        out << std::setprecision(ofPlaces) << v.x << ' ' << v.y << ' ' << v.z << std::setprecision(std::numeric_limits<float>::max_digits10);
         if (!mesh.normals.empty())
         {
             const Vector3& n = mesh.normals[i];
@@ -214,7 +215,7 @@ void writeBinary(std::ostream& out, const TriangleMesh& mesh)
     };
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     {
-        for (int c = 0; c < 3; ++c) append(float(mesh.vertices[i][c]));
+        for (int c = 0; c < 3; ++c) append(mesh.vertices[i][c]);
         if (mesh.normals.empty()) continue;
         for (int c = 0; c < 3; ++c) append(float(mesh.normals[i][c]));
     }

@@ -22,18 +22,20 @@ namespace
 
 struct SumsOfParticle
 {
-    Span<const Vec3> position, velocity;
+    Span<const Position> position;
+    Span<const Vec3> velocity;
     Span<const scalar> density;
 
     HOST_DEVICE LiquidSums operator()(int i) const
     {
-        const Vec3 x = position[i], u = velocity[i];
+        const Place x = placeOf(position[i]);
+        const Vec3 u = velocity[i];
         const scalar speed2 = squared(u), compression = fmax(density[i] - 1, 0);
         LiquidSums sums;
         sums.speed2 = sums.mostSpeed2 = speed2;
         sums.volume = 1 / (1 + compression);
         sums.compression = sums.mostCompression = compression;
-        sums.position[0] = x.x, sums.position[1] = x.y, sums.position[2] = x.z;
+        sums.position[0] = quanta::lengthOf(x.x), sums.position[1] = quanta::lengthOf(x.y), sums.position[2] = quanta::lengthOf(x.z);
         sums.velocity[0] = u.x, sums.velocity[1] = u.y, sums.velocity[2] = u.z;
         return sums;
     }

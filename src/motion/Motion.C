@@ -12,17 +12,30 @@ struct Predict
 {
     scalar dt;
     Vec3 change;
-    Span<const Vec3> position, velocity;
-    Span<Vec3> predicted;
+    Span<const Position> position;
+    Span<const Vec3> velocity;
+    Span<Position> predicted;
 
-    HOST_DEVICE void operator()(int i) const { predicted[i] = position[i] + dt * (velocity[i] + change); }
+    HOST_DEVICE void operator()(int i) const 
+    {
+        const Position from = position[i];
+        predicted[i] = withBlock(from, from + dt * (velocity[i] + change));
+    }
+};
+
+struct TakePredicted
+{
+    Span<const Position> predicted;
+    Span<Position> position;
+
+    HOST_DEVICE void operator()(int i) const { position[i] = withBlock(position[i], predicted[i]); }
 };
 
 struct Displace
 {
     scalar dt2;
     Span<const Vec3> acceleration;
-    Span<Vec3> predicted;
+    Span<Position> predicted;
 
     HOST_DEVICE void operator()(int i) const { predicted[i] += dt2 * acceleration[i]; }
 };
@@ -30,16 +43,23 @@ struct Displace
 struct Update
 {
     scalar perStep;
-    Span<const Vec3> predicted;
-    Span<Vec3> position, velocity;
+    Span<const Position> predicted;
+    Span<Position> position;
+    Span<Vec3> velocity;
 
     HOST_DEVICE void operator()(int i) const
     {
-        velocity[i] = perStep * (predicted[i] - position[i]);
-        position[i] = predicted[i];
+        const Position from = position[i], to = predicted[i];
+        velocity[i] = perStep * (to - from);
+        position[i] = withBlock(from, to);
     }
 };
 
+}
+
+void takePredicted(Liquid& liquid)
+{
+    forEach(liquid.owned(), TakePredicted{liquid.predicted.span(), liquid.position.span()});
 }
 
 void predictPositions(Liquid& liquid, scalar dt, Vec3 change)

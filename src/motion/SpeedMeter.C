@@ -11,19 +11,19 @@ namespace
 
 struct SpeedOf
 {
-    Span<const Vec3> position, velocity;
+    Span<const Vec3> velocity;
 
     HOST_DEVICE SpeedMeter::Fastest operator()(int i) const
     {
         const scalar speed2 = squared(velocity[i]);
-        if (squared(position[i]) < 1e30f && speed2 < 1e30f) return {speed2, 0};
+        if (speed2 < 1e30f) return {speed2, 0};
         return {0, 1};
     }
 };
 
 SpeedOf speedOf(const Liquid& liquid)
 {
-    return {liquid.position.span(), liquid.velocity.span()};
+    return {liquid.velocity.span()};
 }
 
 }

@@ -5,6 +5,7 @@
 #include "device/ForEach.H"
 
 #include <algorithm>
+#include <cmath>
 
 namespace shizuku
 {
@@ -16,12 +17,12 @@ namespace
 struct CountInCells
 {
     CellGridView grid;
-    Span<const Vec3> positions;
+    Span<const Position> positions, start;
     Span<std::uint32_t> keys, places, count;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const std::uint32_t key = grid.key(positions[i]);
+        const std::uint32_t key = grid.key(start.size > 0 ? withBlock(start[i], positions[i]) : positions[i]);
         keys[i] = key;
         places[i] = increment(count[int(key)]);
     }
@@ -36,25 +37,29 @@ struct PutInCells
     HOST_DEVICE void operator()(int i) const { points[int(start[int(keys[i])] + places[i])] = std::uint32_t(i); }
 };
 
-// Those of a cell in the order of their numbers, whichever came first.
+// Those of a cell in the order of their numbers, whichever came first: so it does not matter where in memory they were.
 struct OrderInCells
 {
-    Span<const std::uint32_t> keys, start, points;
+    Span<const std::uint32_t> keys, start, points, id;
     Span<std::uint32_t> order;
 
     HOST_DEVICE void operator()(int i) const
     {
         const int key = int(keys[i]), first = int(start[key]), end = int(start[key + 1]);
+        const std::uint32_t own = rank(i);
         int before = 0;
-        for (int k = first; k < end; ++k) before += points[k] < std::uint32_t(i);
+        for (int k = first; k < end; ++k) before += rank(int(points[k])) < own;
         order[first + before] = std::uint32_t(i);
     }
+
+private:
+    HOST_DEVICE std::uint32_t rank(int i) const { return id.size > 0 ? id[i] : std::uint32_t(i); }
 };
 
 // What sorting needs for a while, as large as a vector: it takes the memory of a field of these.
 struct WordsOfPoint
 {
-    std::uint32_t word[sizeof(Vec3) / sizeof(std::uint32_t)];
+    std::uint32_t word[sizeof(Position) / sizeof(std::uint32_t)];
 };
 
 // Of as many cells as a search of that reach visits along an axis, around points that are so many cells apart.
@@ -66,11 +71,19 @@ std::uint32_t bitsOfSearch(scalar reach, scalar cell, int apart)
     return bits;
 }
 
+// In coarse quanta, as many as can be cut into short cells.
+std::uint64_t widthOf(scalar cellSize)
+{
+    constexpr std::uint64_t parts = device::cellsInWidth;
+    const auto least = std::uint64_t(std::ceil(std::ldexp(double(cellSize), quanta::fractionBits - CellGridView::coarseBits)));
+    return (least + parts - 1) / parts * parts;
+}
+
 }
 
 CellGrid::CellGrid(scalar cellSize, scalar reach)
 :
-    cellSize_(cellSize), leastBits_(bitsOfSearch(reach, cellSize, 0)),
+    width_(widthOf(cellSize)), leastBits_(bitsOfSearch(reach, cellSize, 0)),
     leastBitsX_(bitsOfSearch(reach, cellSize / device::cellsInWidth, CellGridView::mostApart))
 {}
 
@@ -88,11 +101,20 @@ void CellGrid::chooseSize(int n)
 
 CellGridView CellGrid::view() const
 {
-    const scalar perCell = 1 / cellSize_;
-    return {cellSize_, perCell, device::cellsInWidth * perCell, bitsX_, bitsY_, bitsZ_, start_.span()};
+    constexpr std::uint64_t farthest = std::uint64_t(1) << 41;
+    const scalar cellSize = scalar(std::ldexp(double(width_), CellGridView::coarseBits - quanta::fractionBits)), perCell = 1 / cellSize;
+    const std::uint64_t before = (farthest + width_ - 1) / width_, perWidth = ~std::uint64_t(0) / width_ + 1;
+    return
+    {
+        cellSize, perCell, device::cellsInWidth * perCell, width_, perWidth, before * width_, int(before), bitsX_, bitsY_, bitsZ_,
+        start_.span()
+    };
 }
 
-Buffer<std::uint32_t> CellGrid::build(Span<const Vec3> positions, int n)
+Buffer<std::uint32_t> CellGrid::build
+(
+    Span<const Position> positions, int n, Span<const std::uint32_t> id, Span<const Position> start
+)
 {
     chooseSize(n);
     start_.setZero();
@@ -100,11 +122,11 @@ Buffer<std::uint32_t> CellGrid::build(Span<const Vec3> positions, int n)
     std::uint32_t* const first = reinterpret_cast<std::uint32_t*>(words.span().data);
     const auto part = [&](std::size_t k) { return Span<std::uint32_t>{first + k * n, n}; };
     const Span<std::uint32_t> keys = part(0), places = part(1), points = part(2);
-    forEach(n, CountInCells{view(), positions, keys, places, start_.span()});
+    forEach(n, CountInCells{view(), positions, start, keys, places, start_.span()});
     sumBefore(start_);
     forEach(n, PutInCells{keys, places, start_.span(), points});
     Buffer<std::uint32_t> order(n);
-    forEach(n, OrderInCells{keys, start_.span(), points, order.span()});
+    forEach(n, OrderInCells{keys, start_.span(), points, id, order.span()});
     return order;
 }
 

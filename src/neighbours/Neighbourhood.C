@@ -37,14 +37,14 @@ void Neighbourhood::search(Liquid& liquid, scalar wideSupport)
         wideSupport_ = wideSupport;
     }
     list_.forget();
-    liquid.fields().reorder(grid_.build(liquid.predicted.span(), liquid.all()));
-    const Span<const Vec3> points = liquid.predicted.span();
+    liquid.fields().reorder(grid_.build(liquid.predicted.span(), liquid.all(), liquid.id.span()));
+    const Span<const Position> points = liquid.predicted.span();
     list_.search(points, liquid.owned(), grid_, points, true);
 }
 
 void Neighbourhood::lengthen(const Liquid& liquid)
 {
-    const Span<const Vec3> points = liquid.predicted.span();
+    const Span<const Position> points = liquid.predicted.span();
     list_.lengthen(points, liquid.owned(), grid_, points, true);
 }
 

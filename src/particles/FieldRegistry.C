@@ -25,13 +25,15 @@ struct ReorderFields
     Span<const std::uint32_t> order;
     Move<scalar> number[most] = {};
     Move<Vec3> vector[most] = {};
+    Move<Position> place[most] = {};
     Move<std::uint32_t> label[most] = {};
-    int scalars = 0, vectors = 0, labels = 0;
+    int scalars = 0, vectors = 0, places = 0, labels = 0;
 
     HOST_DEVICE void operator()(int i) const
     {
         const std::uint32_t j = order[i];
         for (int k = 0; k < vectors; ++k) vector[k].to[i] = vector[k].from[j];
+        for (int k = 0; k < places; ++k) place[k].to[i] = place[k].from[j];
         for (int k = 0; k < scalars; ++k) number[k].to[i] = number[k].from[j];
         for (int k = 0; k < labels; ++k) label[k].to[i] = label[k].from[j];
     }
@@ -70,7 +72,7 @@ void FieldRegistry::reorder(const Buffer<std::uint32_t>& order)
         if (before.empty()) return;
         forEach(order.size(), fields);
         before.clear();
-        fields.scalars = fields.vectors = fields.labels = 0;
+        fields.scalars = fields.vectors = fields.places = fields.labels = 0;
     };
     const auto add = [&]<class T>(Buffer<T>& field, Move<T>* moves, int& n)
     {
@@ -83,14 +85,18 @@ void FieldRegistry::reorder(const Buffer<std::uint32_t>& order)
     std::vector<AnyBuffer*> vectors, numbers;
     for (const auto& entry : entries_)
     {
-        const bool isVector = std::holds_alternative<Buffer<Vec3>>(entry->values);
-        if (entry->info.sorted) (isVector ? vectors : numbers).push_back(&entry->values);
+        const bool isNumber = std::holds_alternative<Buffer<scalar>>(entry->values) || std::holds_alternative<Buffer<std::uint32_t>>(entry->values);
+        if (entry->info.sorted) (isNumber ? numbers : vectors).push_back(&entry->values);
     }
     // Of many particles a vector and a number at a time, so that little memory is needed beside the fields'.
     constexpr int many = 1 << 16;
     for (std::size_t k = 0; k < std::max(vectors.size(), numbers.size()); ++k)
     {
-        if (k < vectors.size()) add(std::get<Buffer<Vec3>>(*vectors[k]), fields.vector, fields.vectors);
+        if (k < vectors.size())
+        {
+            if (auto* of = std::get_if<Buffer<Vec3>>(vectors[k])) add(*of, fields.vector, fields.vectors);
+            if (auto* of = std::get_if<Buffer<Position>>(vectors[k])) add(*of, fields.place, fields.places);
+        }
         if (k < numbers.size())
         {
             if (auto* scalars = std::get_if<Buffer<scalar>>(numbers[k])) add(*scalars, fields.number, fields.scalars);

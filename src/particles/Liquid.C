@@ -35,7 +35,7 @@ double LiquidProperties::capillaryStep() const
 Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)
 :
     ParticleSet("liquid", properties.spacing),
-    position(fields().add<Vec3>
+    position(fields().add<Position>
     ({
         .name = "positions", .dimensions = dimensions::length, .written = true, .restarted = true, .exchanged = true
     })),
@@ -43,7 +43,7 @@ Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)
     ({
         .name = "U", .dimensions = dimensions::velocity, .written = true, .restarted = true, .exchanged = true
     })),
-    predicted(fields().add<Vec3>({.name = "predicted", .dimensions = dimensions::length, .exchanged = true})),
+    predicted(fields().add<Position>({.name = "predicted", .dimensions = dimensions::length, .exchanged = true})),
     density(fields().add<scalar>({.name = "densityRatio", .dimensions = dimensions::none, .written = true})),
     id(fields().add<std::uint32_t>({.name = "id", .dimensions = dimensions::none, .written = true, .restarted = true})),
     properties_(properties),
@@ -75,6 +75,20 @@ void Liquid::change(double viscosity, double surfaceTension)
 {
     properties_.viscosity = viscosity;
     properties_.surfaceTension = surfaceTension;
+}
+
+std::vector<Vector3> Liquid::positions() const
+{
+    std::vector<Position> host(owned());
+    position.download(host.data(), owned());
+    std::vector<Vector3> places;
+    places.reserve(host.size());
+    for (const Position& p : host)
+    {
+        const Place at = placeOf(p);
+        places.push_back(units_.length * Vector3(quanta::lengthOf(at.x), quanta::lengthOf(at.y), quanta::lengthOf(at.z)));
+    }
+    return places;
 }
 
 void Liquid::read(const std::filesystem::path& timeFolder)

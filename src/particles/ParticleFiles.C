@@ -17,15 +17,21 @@ namespace
 
 FieldType typeOf(const AnyBuffer& values)
 {
-    if (std::holds_alternative<Buffer<Vec3>>(values)) return FieldType::vector;
+    if (std::holds_alternative<Buffer<Vec3>>(values) || std::holds_alternative<Buffer<Position>>(values)) return FieldType::vector;
     if (std::holds_alternative<Buffer<scalar>>(values)) return FieldType::scalar;
     return FieldType::label;
 }
 
-// Numbers that single precision cannot hold, nor the square of.
-void refuseLarge(const std::filesystem::path& file, std::size_t first, std::span<const double> values, int components, double unit)
+// What is too large, scaled: numbers that single precision cannot hold, nor the square of; places that are not told apart.
+template<class T>
+constexpr double mostOf(T) { return 1e15; }
+constexpr double mostOf(Position) { return 0.99 * quanta::farthest; }
+
+void refuseLarge
+(
+    const std::filesystem::path& file, std::size_t first, std::span<const double> values, int components, double unit, double most
+)
 {
-    constexpr double most = 1e15;       // scaled
     const double largest = most * unit;
     const auto bad = std::find_if(values.begin(), values.end(), [&](double value) { return !(std::abs(value) < largest); });
     if (bad == values.end()) return;
@@ -40,6 +46,8 @@ Vec3 scaled(const double* si, double unit, Vec3)
     return {scalar(si[0] / unit), scalar(si[1] / unit), scalar(si[2] / unit)};
 }
 
+Position scaled(const double* si, double unit, Position) { return positionAt(si[0] / unit, si[1] / unit, si[2] / unit); }
+
 scalar scaled(const double* si, double unit, scalar) { return scalar(*si / unit); }
 
 std::uint32_t scaled(const double* label, double, std::uint32_t) { return std::uint32_t(*label); }
@@ -51,7 +59,7 @@ void upload(Buffer<T>& values, const FieldReader& reader, const std::filesystem:
     std::vector<T> host;
     reader.read(n, [&](std::size_t first, std::span<const double> portion)
     {
-        if (reader.type() != FieldType::label) refuseLarge(file, first, portion, components, unit);
+        if (reader.type() != FieldType::label) refuseLarge(file, first, portion, components, unit, mostOf(T{}));
         host.resize(portion.size() / components);
         for (std::size_t i = 0; i < host.size(); ++i) host[i] = scaled(&portion[i * components], unit, T{});
         values.upload(host, int(first));
@@ -125,6 +133,17 @@ void fill(const HostBuffer<Vec3>& host, double unit, std::size_t first, std::spa
     }
 }
 
+void fill(const HostBuffer<Position>& host, double unit, std::size_t first, std::span<double> values)
+{
+    for (std::size_t i = 0; i < values.size(); i += 3)
+    {
+        const Place at = placeOf(host.data()[first + i / 3]);
+        values[i] = quanta::lengthOf(at.x) * unit;
+        values[i + 1] = quanta::lengthOf(at.y) * unit;
+        values[i + 2] = quanta::lengthOf(at.z) * unit;
+    }
+}
+
 template<class T>
 void fill(const HostBuffer<T>& host, double unit, std::size_t first, std::span<double> values)
 {
@@ -162,7 +181,7 @@ void ParticleCopy::copy(const Buffer<T>& values, AnyHostBuffer& target) const
 
 void ParticleCopy::write(const std::filesystem::path& timeFolder, const WriteFormat& format) const
 {
-    constexpr FieldType types[] = {FieldType::scalar, FieldType::vector, FieldType::label};     // as in AnyHostBuffer
+    constexpr FieldType types[] = {FieldType::scalar, FieldType::vector, FieldType::label, FieldType::vector};     // as in AnyHostBuffer
     WriteFormat ofScalars = format;
     ofScalars.scalarBits = 8 * sizeof(scalar);
     for (const Field& field : fields_)
@@ -173,7 +192,8 @@ void ParticleCopy::write(const std::filesystem::path& timeFolder, const WriteFor
         };
         const double spacing = field.info.name == "positions" ? spacing_ : 0;
         const FieldSource source{types[field.values.index()], field.info.dimensions, std::size_t(count_), portion, spacing};
-        writeField(timeFolder / name_ / field.info.name, source, ofScalars);
+        const bool places = std::holds_alternative<HostBuffer<Position>>(field.values);
+        writeField(timeFolder / name_ / field.info.name, source, places ? format.ofPlaces() : ofScalars);
     }
 }
 

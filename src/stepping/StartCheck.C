@@ -43,15 +43,16 @@ struct CrowdingOf
     Kernel W;
     scalar volume;                      // V/S
     CellGridView grid;
-    Span<const Vec3> x;
+    Span<const Position> x;
 
     HOST_DEVICE CrowdingSums operator()(int i) const
     {
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
         scalar sum = 0, nearest2 = 1e30f;
         grid.forEachCandidate(AroundPoint{xi, W.h}, [&](int j)
         {
             const scalar r2 = squared(xi - x[j]);
+            if (r2 >= W.h * W.h || !isSameImage(xi, x[j])) return;
             sum += W.W(sqrt(r2));
             if (j != i) nearest2 = fmin(nearest2, r2);
         });
@@ -60,32 +61,19 @@ struct CrowdingOf
     }
 };
 
-struct Farthest
-{
-    scalar coordinate = 0;
-
-    HOST_DEVICE void add(const Farthest& other) { coordinate = fmax(coordinate, other.coordinate); }
-};
-
-struct FarthestOf
-{
-    Span<const Vec3> x;
-
-    HOST_DEVICE Farthest operator()(int i) const { return {fmax(fabs(x[i].x), fmax(fabs(x[i].y), fabs(x[i].z)))}; }
-};
-
 // Each particle by its own random way, up to `most` along each axis: bits of its number, mixed by Knuth's multiplier.
 struct Stir
 {
     scalar most;
     Span<const std::uint32_t> id;
-    Span<Vec3> position;
+    Span<Position> position;
 
     HOST_DEVICE void operator()(int i) const
     {
         const std::uint32_t bits = (id[i] + 1) * 2654435761u;
         const auto part = [&](int shift) { return most * (scalar(bits >> shift & 1023u) / 511.5f - 1); };
-        position[i] += Vec3{part(0), part(10), part(20)};
+        const Position from = position[i];
+        position[i] = withBlock(from, from + Vec3{part(0), part(10), part(20)});
     }
 };
 
@@ -95,7 +83,7 @@ Crowding measureCrowding(const Liquid& liquid)
 {
     CellGrid grid(liquid.support());
     const Buffer<std::uint32_t>& order = grid.build(liquid.position.span(), liquid.owned());
-    Buffer<Vec3> sorted;
+    Buffer<Position> sorted;
     gather(liquid.position, order, sorted);
     Buffer<CrowdingSums> scratch;
     const CrowdingSums sums = std::visit
@@ -119,14 +107,13 @@ void refuseOverlap(const Liquid& liquid, const std::filesystem::path& folder, co
     const Crowding crowding = measureCrowding(liquid);
     if (!crowding.overlaps(limits)) return;
 
-    const double spacing = liquid.properties().spacing, unit = liquid.units().length;
-    const Vec3 x = liquid.position.download()[crowding.densest];
+    const double spacing = liquid.properties().spacing;
     std::ostringstream found, expected;
     found << "The liquid starts overlapping itself: " << crowding.crowded << " of its " << liquid.owned()
           << " particles are more than a tenth denser than at rest, the mean density is " << crowding.mean
           << " rest densities, the largest one " << crowding.most << ", at "
-          << str(Vector3(x.x * unit, x.y * unit, x.z * unit)) << " m, the compression (root mean square) "
-          << crowding.compression << ", and the smallest distance " << crowding.nearest << " spacings";
+          << str(liquid.positions()[crowding.densest]) << " m, the compression (root mean square) "
+          << crowding.compression << ", and the smallest distance " << std::round(1e5 * crowding.nearest) / 1e5 << " spacings";
     expected << "liquid at rest density, a mean below " << Crowding::mostMean << " and nowhere " << Crowding::mostOfOne
              << ", of particles one spacing apart";
     if (limits.crowded < 1) expected << "; at a first start at most " << limits.crowded << " of them more than a tenth denser";
@@ -139,27 +126,6 @@ void refuseOverlap(const Liquid& liquid, const std::filesystem::path& folder, co
              << " m; or give there the one that the liquid was filled with (a lattice of "
              << spacing / std::cbrt(crowding.most) << " m is that dense); and fill no place twice.\n    `overlaps relax;` in system/solution moves the particles apart before the first step";
     throw FatalInputError({(folder / liquid.name() / "positions").string(), 0}, found.str(), expected.str());
-}
-
-double rounding(const Liquid& liquid)
-{
-    Buffer<Farthest> scratch;
-    const double farthest = reduce(liquid.owned(), FarthestOf{liquid.position.span()}, scratch).coordinate;
-    return 0.5 * std::numeric_limits<scalar>::epsilon() * farthest / liquid.spacing();
-}
-
-std::string roundingWarning(const Liquid& liquid, const std::filesystem::path& folder)
-{
-    constexpr double noticed = 2.5e-4, wrong = 2e-3;
-    const double share = rounding(liquid);
-    if (share <= noticed) return {};
-    const double spacings = 2 * share / std::numeric_limits<scalar>::epsilon(), farthest = spacings * liquid.properties().spacing;
-    std::ostringstream found, expected;
-    found << "The liquid reaches " << farthest << " m from the origin, " << spacings
-          << " spacings: there numbers of single precision round positions to " << share << " spacings";
-    expected << "liquid within " << noticed / share * farthest << " m of the origin: move the case there; or -precision double";
-    if (share > wrong) throw FatalInputError({(folder / liquid.name() / "positions").string(), 0}, found.str(), expected.str());
-    return found.str() + ", and contact angles come out too high.\n    Better: " + expected.str();
 }
 
 bool relaxesOverlap(const Dictionary& solution)
@@ -185,7 +151,7 @@ int relaxOverlap(Liquid& liquid, Neighbourhood& near, Walls& walls, const StartL
         near.update(liquid);
         walls.update(liquid);
         iterate(liquid, near, walls, *pressure, 1, [] {});
-        liquid.position.swap(liquid.predicted);
+        takePredicted(liquid);
         if (pressure->iterations() <= 1 && !measureCrowding(liquid).overlaps(limits)) return round;
     }
     throw FatalInputError

@@ -98,7 +98,7 @@ void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, s
         lengthen(liquid, near, walls, models, predict, findSurface);
         walls.project(liquid);
         iterate(liquid, near, walls, *models.pressure, dt, [] {});
-        liquid.position.swap(liquid.predicted);
+        takePredicted(liquid);
         models.pressure->forget();
     }
 }

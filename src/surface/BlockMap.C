@@ -6,6 +6,7 @@
 #include "device/ForEach.H"
 #include "device/Reduce.H"
 
+#include <algorithm>
 #include <string>
 
 namespace shizuku
@@ -16,12 +17,14 @@ namespace
 
 struct FarthestOfParticle
 {
-    Span<const Vec3> positions;
+    Span<const Position> positions;
 
     HOST_DEVICE Farthest operator()(int i) const
     {
-        const Vec3 p = positions[i];
-        return {fmax(fmax(fabs(p.x), fabs(p.y)), fabs(p.z))};
+        const Place p = placeOf(positions[i]);
+        Farthest all;
+        for (const std::int64_t x : {p.x, p.y, p.z}) all.add({x < 0 ? -x : x});
+        return all;
     }
 };
 
@@ -35,8 +38,8 @@ struct CollectKeys
     static constexpr std::uint64_t free = ~std::uint64_t(0);
 
     BlockMapView map;
-    scalar reach, most;                         // most: a coordinate that is too far
-    Span<const Vec3> positions;
+    std::int64_t reach, most;                   // most: a coordinate that is too far
+    Span<const Position> positions;
     Span<std::uint64_t> table;                  // 2^bits places
     int bits;
     Span<std::uint64_t> keys;
@@ -45,12 +48,16 @@ struct CollectKeys
     // The lanes of a team share the blocks: it takes a chain of reads to find each.
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const Vec3 p = positions[i];
-        if (fabs(p.x) >= most || fabs(p.y) >= most || fabs(p.z) >= most) count[farParticles] = 1;
-        if (!(fabs(p.x) < most && fabs(p.y) < most && fabs(p.z) < most)) return;     // no number is nowhere
-        const int lowX = map.blockAt(p.x - reach), alongX = map.blockAt(p.x + reach) - lowX + 1;
-        const int lowY = map.blockAt(p.y - reach), alongY = map.blockAt(p.y + reach) - lowY + 1;
-        const int lowZ = map.blockAt(p.z - reach), alongZ = map.blockAt(p.z + reach) - lowZ + 1;
+        const Place p = placeOf(positions[i]);
+        const auto isFar = [this](std::int64_t x) { return x >= most || x <= -most; };
+        if (isFar(p.x) || isFar(p.y) || isFar(p.z))
+        {
+            count[farParticles] = 1;
+            return;
+        }
+        const int lowX = int(map.blockAt(p.x - reach)), alongX = int(map.blockAt(p.x + reach)) - lowX + 1;
+        const int lowY = int(map.blockAt(p.y - reach)), alongY = int(map.blockAt(p.y + reach)) - lowY + 1;
+        const int lowZ = int(map.blockAt(p.z - reach)), alongZ = int(map.blockAt(p.z + reach)) - lowZ + 1;
         for (int k = team.lane; k < alongX * alongY * alongZ; k += team.width)
         {
             add(BlockMapView::key(lowX + k % alongX, lowY + k / alongX % alongY, lowZ + k / (alongX * alongY)));
@@ -97,13 +104,13 @@ struct FindNext
 
 BlockMap::BlockMap(scalar cell, scalar reach)
 :
-    cell_(cell), reach_(fmin(reach, BlockMapView::edge * cell)),
-    farthest_(cell * BlockMapView::edge * (BlockMapView::farthest - 2)), counts_(counts)
+    cell_(quanta::wholeOf(cell)), reach_(std::min(quanta::wholeOf(reach), BlockMapView::edge * cell_)),
+    farthest_(cell_ * BlockMapView::edge * (BlockMapView::farthest - 2)), counts_(counts)
 {}
 
-void BlockMap::refuseFarParticles(Span<const Vec3> positions)
+void BlockMap::refuseFarParticles(Span<const Position> positions)
 {
-    const scalar farthest = reduce(positions.size, FarthestOfParticle{positions}, scratch_).coordinate;
+    const std::int64_t farthest = reduce(positions.size, FarthestOfParticle{positions}, scratch_).coordinate;
     throw FatalError
     (
         "A particle is " + std::to_string(long(farthest / cell_)) + " cells away from the origin, more than "
@@ -112,14 +119,14 @@ void BlockMap::refuseFarParticles(Span<const Vec3> positions)
     );
 }
 
-void BlockMap::collect(Span<const Vec3> positions)
+void BlockMap::collect(Span<const Position> positions)
 {
     // Full blocks of cells of half a spacing hold 64 particles, and half of the places shall stay free.
     while (1 << bits_ < positions.size / 8) ++bits_;
     collectKeys(positions);
 }
 
-void BlockMap::collectKeys(Span<const Vec3> positions)
+void BlockMap::collectKeys(Span<const Position> positions)
 {
     table_.resizeDiscarding(1 << bits_);
     keys_.resizeDiscarding(1 << (bits_ - 1));
@@ -133,7 +140,7 @@ void BlockMap::collectKeys(Span<const Vec3> positions)
     readCounts_.ask(counts_);
 }
 
-void BlockMap::store(Span<const Vec3> positions)
+void BlockMap::store(Span<const Position> positions)
 {
     const std::uint32_t* count = readCounts_.wait();
     if (count[farParticles] > 0) refuseFarParticles(positions);

@@ -50,7 +50,7 @@ TriangleMesh toTriangleMesh(const SurfaceMesh& mesh, double unit)
     result.vertices.reserve(mesh.vertices.size());
     result.normals.reserve(mesh.normals.size());
     result.faces.reserve(mesh.triangles.size() / 3);
-    for (const Vec3& p : mesh.vertices) result.vertices.push_back({p.x * unit, p.y * unit, p.z * unit});
+    for (const Vector3& p : mesh.vertices) result.vertices.push_back(unit * p);
     for (const Vec3& n : mesh.normals) result.normals.push_back({n.x, n.y, n.z});
     for (std::size_t k = 0; k < mesh.triangles.size(); k += 3)
     {

@@ -114,23 +114,30 @@ struct CountOutside
     HOST_DEVICE SurfaceSum operator()(int i) const { return {phi.value(phi.particles[i], Team{}) < Indicator::level ? 1.0 : 0.0}; }
 };
 
-// Of the tetrahedron of a triangle and the origin, negative where the triangle looks towards it: their sum over a closed mesh
+// Of the tetrahedron of a triangle and the first vertex, negative where the triangle looks towards it: their sum over a closed mesh
 // is what it encloses.
 struct VolumeBelow
 {
-    Span<const Vec3> vertices;
+    Span<const Position> vertices;
     Span<const std::uint32_t> triangles;
+
+    struct Corner
+    {
+        double x, y, z;
+    };
 
     HOST_DEVICE SurfaceSum operator()(int t) const
     {
-        const Vec3 a = corner(3 * t), b = corner(3 * t + 1), c = corner(3 * t + 2);
-        const double x = double(b.y) * c.z - double(b.z) * c.y;
-        const double y = double(b.z) * c.x - double(b.x) * c.z;
-        const double z = double(b.x) * c.y - double(b.y) * c.x;
+        const Corner a = corner(3 * t), b = corner(3 * t + 1), c = corner(3 * t + 2);
+        const double x = b.y * c.z - b.z * c.y, y = b.z * c.x - b.x * c.z, z = b.x * c.y - b.y * c.x;
         return {(a.x * x + a.y * y + a.z * z) / 6};
     }
 
-    HOST_DEVICE Vec3 corner(int k) const { return vertices[int(triangles[k])]; }
+    HOST_DEVICE Corner corner(int k) const
+    {
+        const Place at = placeOf(vertices[int(triangles[k])]), from = placeOf(vertices[0]);
+        return {quanta::lengthOf(at.x - from.x), quanta::lengthOf(at.y - from.y), quanta::lengthOf(at.z - from.z)};
+    }
 };
 
 }
@@ -146,7 +153,7 @@ LiquidSurface::LiquidSurface(const SurfaceParameters& parameters)
     table_(std::vector<MarchingCubesTable>{makeMarchingCubesTable()})
 {}
 
-void LiquidSurface::build(Span<const Vec3> positions)
+void LiquidSurface::build(Span<const Position> positions)
 {
     vertices_.resizeDiscarding(0);
     normals_.resizeDiscarding(0);
@@ -155,7 +162,7 @@ void LiquidSurface::build(Span<const Vec3> positions)
     if (positions.size == 0) return;
 
     blocks_.collect(positions);
-    gather(positions, grid_.build(positions, positions.size), sorted_);
+    gather(positions, grid_.build(positions, positions.size), particles_);
     weighParticles();
     blocks_.store(positions);
     evaluateNodes();
@@ -165,7 +172,13 @@ void LiquidSurface::build(Span<const Vec3> positions)
 
 SurfaceMesh LiquidSurface::download() const
 {
-    return {vertices_.download(), normals_.download(), triangles_.download()};
+    SurfaceMesh mesh{{}, normals_.download(), triangles_.download()};
+    for (const Position& vertex : vertices_.download())
+    {
+        const Place at = placeOf(vertex);
+        mesh.vertices.emplace_back(quanta::lengthOf(at.x), quanta::lengthOf(at.y), quanta::lengthOf(at.z));
+    }
+    return mesh;
 }
 
 double LiquidSurface::volume()
@@ -180,8 +193,8 @@ int LiquidSurface::particlesOutside()
 
 void LiquidSurface::weighParticles()
 {
-    particles_.resizeDiscarding(sorted_.size());
-    forEachTeam(sorted_.size(), WeighParticles{indicatorOf(sorted_), layer_, particles_.span()});
+    weight_.resizeDiscarding(particles_.size());
+    forEachTeam(particles_.size(), WeighParticles{indicator(), layer_, weight_.span()});
 }
 
 void LiquidSurface::evaluateNodes()
@@ -227,7 +240,7 @@ void LiquidSurface::placeVertices()
         PlaceVertices
         {
             blocks_.view(), value_.span(), indicator(), wideKernel_, wideVolume_, wideMoments_,
-            meanSquares / 24 * blocks_.view().cell * blocks_.view().cell,
+            meanSquares / 24 * blocks_.view().cellLength() * blocks_.view().cellLength(),
             edges_.span(), vertices_.span(), normals_.span()
         }
     );

@@ -27,13 +27,13 @@ struct InsideSurface
 {
     WallSurfacesView surfaces;
     scalar nearest;                 // distance that is far enough
-    Span<const Vec3> position;
+    Span<const Position> position;
 
     HOST_DEVICE FirstInside operator()(int i) const
     {
         for (int a = 0; a < surfaces.count; ++a)
         {
-            if (surfaces.surface[a](position[i]).distance < nearest) return {i, a};
+            if (surfaces.surface[a](placeOf(position[i])).distance < nearest) return {i, a};
         }
         return {};
     }
@@ -55,11 +55,11 @@ std::optional<LiquidInside> liquidInside(const Liquid& liquid, const SolidPartic
 {
     if (solid.positions.empty()) return {};
     const NearestPoint nearest(solid.positions);
-    const double d = liquid.properties().spacing, unit = liquid.units().length;
-    const auto positions = liquid.position.download();
+    const double d = liquid.properties().spacing;
+    const std::vector<Vector3> positions = liquid.positions();
     for (int i = 0; i < liquid.owned(); ++i)
     {
-        const Vector3 x(positions[i].x * unit, positions[i].y * unit, positions[i].z * unit);
+        const Vector3& x = positions[i];
         const std::size_t k = nearest(x);
         const Vector3 r = x - solid.positions[k];
         const double height = dot(r, solid.normals[k]);

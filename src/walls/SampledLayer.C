@@ -17,13 +17,16 @@ struct VirtualVolume
 {
     Kernel W;
     CellGridView grid;
-    Span<const Vec3> position;
+    Span<const Position> position;
     Span<scalar> volume;
 
     HOST_DEVICE void operator()(int k) const
     {
         scalar sum = 0;
-        grid.forEachCandidate(AroundPoint{position[k], W.h}, [&](int l) { sum += W.W(norm(position[k] - position[l])); });
+        grid.forEachCandidate(AroundPoint{position[k], W.h}, [&](int l)
+        {
+            if (isSameImage(position[k], position[l])) sum += W.W(norm(position[k] - position[l]));
+        });
         volume[k] = 1 / sum;
     }
 };
@@ -32,7 +35,7 @@ struct VirtualVolume
 
 SampledLayer::SampledLayer(const std::filesystem::path& casePath, const SourceLocation& asked, const Liquid& liquid)
 :
-    position_(solid_.fields().add<Vec3>({.name = "positions", .dimensions = dimensions::length, .restarted = true})),
+    position_(solid_.fields().add<Position>({.name = "positions", .dimensions = dimensions::length, .restarted = true})),
     normal_(solid_.fields().add<Vec3>({.name = "normals", .dimensions = dimensions::none, .restarted = true})),
     volume_(solid_.fields().add<scalar>({.name = "volume", .dimensions = dimensions::volume}))
 {

@@ -34,19 +34,23 @@ struct FindAround
 struct FitPlane
 {
     scalar spacing, listed, reach;          // listed: up to which distance the lists know
-    Span<const Vec3> x;
+    Span<const Position> x;
     CellGridView grid;                      // of the solid particles
     Span<const std::uint8_t> around;        // FindAround
     WallParticlesView solid;
     Span<Vec3> normal;
-    Span<scalar> offset, cosTheta;
+    Span<Position> point;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
         const scalar most = reach * reach;
         scalar nearest = most;
-        const auto come = [&](int k) { nearest = fmin(nearest, squared(xi - solid.position[k])); };
+        const auto come = [&](int k)
+        {
+            const scalar distance2 = squared(xi - solid.position[k]);
+            if (distance2 < nearest && isSameImage(xi, solid.position[k])) nearest = distance2;
+        };
         solid.near.forEach(i, come, team);
         nearest = team.min(nearest);
         if (nearest == most && around[int(grid.key(xi))]) grid.forEachCandidate(AroundPoint{xi, reach}, come, team);
@@ -57,7 +61,7 @@ struct FitPlane
         {
             const Vec3 r = xi - solid.position[k];
             const scalar w = 1 - (squared(r) - nearest) / (4 * spacing * spacing);
-            if (w <= 0 || squared(r) >= most) return;
+            if (w <= 0 || squared(r) >= most || !isSameImage(xi, solid.position[k])) return;
             const scalar weight = w * w;
             total += weight;
             direction += weight * solid.normal[k];
@@ -75,17 +79,14 @@ struct FitPlane
         cosine = team.sum(cosine);
         if (!team.first()) return;
         const scalar length = norm(direction);
-        normal[i] = {0, 0, 1};
-        offset[i] = WallPlanesView::nowhere;
-        cosTheta[i] = 0;
+        normal[i] = {};
         if (total == 0 || length < 1e-6f * total) return;
 
         const Vec3 n = (1 / length) * direction;
         const scalar height = (along + dot(n, from)) / (total + length);
         if (nearest - height * height > 2.25f * spacing * spacing) return;
-        normal[i] = n;
-        offset[i] = dot(n, xi) - (height - 0.5f * spacing);
-        cosTheta[i] = cosine / total;
+        normal[i] = {n.x, n.y, n.z, cosine / total};
+        point[i] = xi - (height - 0.5f * spacing) * n;
     }
 };
 
@@ -99,12 +100,11 @@ TangentPlanes::TangentPlanes(const CellGridView& grid, scalar reach) : reach_(re
 void TangentPlanes::fit(const Liquid& liquid, const CellGridView& grid, const WallParticlesView& solid, scalar listed)
 {
     normal_.resizeDiscarding(liquid.all());
-    offset_.resizeDiscarding(liquid.all());
-    cosTheta_.resizeDiscarding(liquid.all());
+    point_.resizeDiscarding(liquid.all());
     forEachTeam(liquid.owned(), FitPlane
     {
         liquid.spacing(), listed, reach_, liquid.predicted.span(), grid, around_.span(), solid,
-        normal_.span(), offset_.span(), cosTheta_.span()
+        normal_.span(), point_.span()
     });
 }
 

@@ -30,10 +30,7 @@ void refuseUnlessAngle(double theta, const SourceLocation& where)
     throw FatalInputError(where, text.str(), "0 to 180 degrees");
 }
 
-Vec3 scaled(const Vector3& v, double unit)
-{
-    return {scalar(v.x / unit), scalar(v.y / unit), scalar(v.z / unit)};
-}
+Place scaled(const Vector3& v, double unit) { return placeAt(v.x / unit, v.y / unit, v.z / unit); }
 
 WallSurface curvedOrPlane(const AnalyticSurface& surface, double unit)
 {
@@ -42,7 +39,7 @@ WallSurface curvedOrPlane(const AnalyticSurface& surface, double unit)
         : surface.type == Type::sphere ? WallSurface::sphere : WallSurface::cylinder;
     return
     {
-        type, scaled(surface.point, unit), scaled(surface.direction, 1), scalar(surface.radius / unit),
+        type, scaled(surface.point, unit), {surface.direction.x, surface.direction.y, surface.direction.z}, surface.radius / unit,
         surface.liquidInside ? -1.0f : 1.0f, 0
     };
 }
@@ -50,12 +47,12 @@ WallSurface curvedOrPlane(const AnalyticSurface& surface, double unit)
 // The six planes of a box that holds the liquid.
 std::vector<WallSurface> facesOf(const AnalyticSurface& box, double unit)
 {
-    const Vec3 low = scaled(box.min, unit), high = scaled(box.max, unit);
+    const Place low = scaled(box.min, unit), high = scaled(box.max, unit);
     std::vector<WallSurface> faces;
-    for (const Vec3 n : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+    for (const WallSurface::Direction n : {WallSurface::Direction{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
     {
         faces.push_back({WallSurface::plane, low, n, 0, 1, 0});
-        faces.push_back({WallSurface::plane, high, -n, 0, 1, 0});
+        faces.push_back({WallSurface::plane, high, {-n.x, -n.y, -n.z}, 0, 1, 0});
     }
     return faces;
 }
@@ -83,7 +80,7 @@ Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liqu
         {
             surfaces_.surface[surfaces_.count++] = face;
             surfaceNames_.push_back(surface.name);
-            if (face.type == WallSurface::plane) held_.hold(face.direction);
+            if (face.type == WallSurface::plane) held_.hold({scalar(face.direction.x), scalar(face.direction.y), scalar(face.direction.z)});
             else held_.holdAll();
         }
     }
@@ -117,7 +114,7 @@ std::pair<double, double> Walls::contactAngles(scalar reach) const
     for (int a = 0; a < surfaces_.count; ++a)
     {
         const WallSurface& surface = surfaces_.surface[a];
-        if (surface.type != WallSurface::plane) tilt = std::max(tilt, degrees(reach / surface.radius));
+        if (surface.type != WallSurface::plane) tilt = std::max(tilt, degrees(double(reach) / surface.radius));
     }
     const auto widened = [&](double least, double most)
     {
@@ -209,18 +206,16 @@ void Walls::project(Liquid& liquid) const
 
 WallStop Walls::stop(const Liquid& liquid) const
 {
-    return {view(), liquid.support(), liquid.spacing(), closest_ * liquid.spacing(), liquid.position.span()};
+    return {view(liquid), liquid.support(), liquid.spacing(), closest_ * liquid.spacing(), liquid.position.span()};
 }
 
 void Walls::refuseLiquidInside(const Liquid& liquid) const
 {
     const auto refuse = [&](int i, const std::string& wall, const SourceLocation& where)
     {
-        const Vec3 x = liquid.position.download()[i];
-        const double unit = liquid.units().length;
         throw FatalInputError
         (
-            where, "Liquid particle " + std::to_string(i) + " at " + str(Vector3(x.x * unit, x.y * unit, x.z * unit))
+            where, "Liquid particle " + std::to_string(i) + " at " + str(liquid.positions()[i])
           + " m is inside the solid '" + wall + "', or too near to it", "liquid half a spacing outside of every wall, which is where the normals of a sampled one point to"
         );
     };
@@ -234,10 +229,10 @@ void Walls::refuseLiquidInside(const Liquid& liquid) const
     if (const auto inside = liquidInside(liquid, solid)) refuse(inside->particle, solid.patches[inside->wall], dict_.where());
 }
 
-WallView Walls::view() const
+WallView Walls::view(const Liquid& liquid) const
 {
-    if (!layer_) return {{}, surfaces_, {}};
-    return {layer_->view(), surfaces_, layer_->planes()};
+    if (!layer_) return {{}, surfaces_, {}, liquid.position.span()};
+    return {layer_->view(), surfaces_, layer_->planes(), liquid.position.span()};
 }
 
 }

@@ -53,8 +53,8 @@ void LiquidCase::place(const std::vector<Vec3>& positions, const std::vector<Vec
     std::iota(id.begin(), id.end(), 0u);
 
     liquid.resize(n);
-    liquid.position.upload(scaled);
-    liquid.predicted.upload(scaled);
+    liquid.position.upload(placed(scaled));
+    liquid.predicted.upload(placed(scaled));
     liquid.velocity.upload(velocities.empty() ? std::vector<Vec3>(n) : velocities);
     liquid.id.upload(id);
     near.update(liquid, surface.support());

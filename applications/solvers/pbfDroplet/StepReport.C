@@ -42,12 +42,6 @@ void warnOfResolution(FlowView& flow)
     }
 }
 
-void warnOfRounding(const Time& time, const Liquid& liquid)
-{
-    const std::string text = roundingWarning(liquid, time.path());
-    if (!text.empty()) warning(text);
-}
-
 void warnOfOtherSolid(const Time& time, const Walls& walls)
 {
     if (walls.particles() == 0) return;

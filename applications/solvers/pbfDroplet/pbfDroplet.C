@@ -46,7 +46,6 @@ void pbfDroplet(const Arguments& args)
     liquidDict.refuseUnused();
 
     liquid.read(time.path());
-    warnOfRounding(time, liquid);
     const StartLimits limits = StartLimits::of(time.index(), *models.pressure);
     if (!relaxes) refuseOverlap(liquid, time.path(), limits);
     if (time.index() == 0) walls.refuseLiquidInside(liquid);

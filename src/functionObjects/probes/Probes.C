@@ -44,14 +44,17 @@ template<class Kernel>
 struct Weighted
 {
     Kernel W;
-    Vec3 point;
-    Span<const Vec3> position, velocity;
+    Position point;
+    Span<const Position> position;
+    Span<const Vec3> velocity;
     Span<const scalar> density, pressure;      // pressure: may be empty
 
     HOST_DEVICE ProbeSums operator()(int j) const
     {
         ProbeSums sums;
-        const scalar W_j = W.W(norm(point - position[j]));
+        const Vec3 r = point - position[j];
+        if (squared(r) >= W.h * W.h || !isSameImage(point, position[j])) return sums;
+        const scalar W_j = W.W(norm(r));
         if (W_j == 0) return sums;
         const scalar weight = W_j / density[j];
         sums.fill = W_j;
@@ -140,8 +143,8 @@ private:
 
     ProbeSums sumsAt(const Liquid& liquid, const std::array<double, 3>& place)
     {
-        const auto scaled = [&](double x) { return liquid.units().toScaled(x, dimensions::length); };
-        const Vec3 point{scaled(place[0]), scaled(place[1]), scaled(place[2])};
+        const double unit = liquid.units().length;
+        const Position point = positionAt(place[0] / unit, place[1] / unit, place[2] / unit);
         return std::visit
         (
             [&]<class Kernel>(const Kernel& W)

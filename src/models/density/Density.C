@@ -15,7 +15,7 @@ struct StoreDensity
     HOST_DEVICE void operator()(int i) const { density[i] = densityOf(i); }
 };
 
-void store(const Liquid& liquid, const Buffer<Vec3>& at, const Neighbourhood& near, const Walls& walls, Buffer<scalar>& density)
+void store(const Liquid& liquid, const Buffer<Position>& at, const Neighbourhood& near, const Walls& walls, Buffer<scalar>& density)
 {
     std::visit
     (
@@ -23,7 +23,7 @@ void store(const Liquid& liquid, const Buffer<Vec3>& at, const Neighbourhood& ne
         {
             const DensityOf<Kernel> densityOf
             {
-                W, liquid.particleVolume() / liquid.latticeSum(), at.span(), near.view(), walls.view()
+                W, liquid.particleVolume() / liquid.latticeSum(), at.span(), near.view(), walls.view(liquid)
             };
             forEach(liquid.owned(), StoreDensity<Kernel>{densityOf, density.span()});
         },
@@ -38,7 +38,7 @@ void computeDensity(Liquid& liquid, const Neighbourhood& near, const Walls& wall
     computeDensity(liquid, liquid.predicted, near, walls);
 }
 
-void computeDensity(Liquid& liquid, const Buffer<Vec3>& at, const Neighbourhood& near, const Walls& walls)
+void computeDensity(Liquid& liquid, const Buffer<Position>& at, const Neighbourhood& near, const Walls& walls)
 {
     store(liquid, at, near, walls, liquid.density);
 }

@@ -22,16 +22,19 @@ namespace
 
 struct SumsOfParticle
 {
-    Span<const Vec3> position, pressure, forces;        // either of the displacements may be empty
+    Span<const Position> position;
+    Span<const Vec3> pressure, forces;                  // either of the displacements may be empty
     scalar ofPressure, ofForces;                        // their scales
     WallView walls;
     scalar reach;
 
     HOST_DEVICE NetMotion::Sums operator()(int i) const
     {
-        const Vec3 p = position[i];
+        const Position p = position[i];
+        const Place at = placeOf(p), origin = placeOf(position[0]);
         const Vec3 q = pressure.size > 0 ? ofPressure * pressure[i] : Vec3{}, r = forces.size > 0 ? ofForces * forces[i] : Vec3{};
-        const double x = p.x, y = p.y, z = p.z, u = double(q.x) + r.x, v = double(q.y) + r.y, w = double(q.z) + r.z;
+        const double x = quanta::lengthOf(at.x - origin.x), y = quanta::lengthOf(at.y - origin.y), z = quanta::lengthOf(at.z - origin.z);
+        const double u = double(q.x) + r.x, v = double(q.y) + r.y, w = double(q.z) + r.z;
         return
         {
             {u, v, w}, {r.x, r.y, r.z}, {x, y, z}, {y * w - z * v, z * u - x * w, x * v - y * u}, {x * x, y * y, z * z},
@@ -45,6 +48,7 @@ struct FindMotion
 {
     Span<const NetMotion::Sums> sums;
     double n;
+    Span<const Position> position;
     HeldDirections walls, pulling;                      // pulling: those that bear other forces than pressure
     Span<NetMotion::Motion> motion;
 
@@ -54,7 +58,7 @@ struct FindMotion
         const bool atWall = all.atWall > 0;
         const HeldDirections held = atWall ? walls : HeldDirections{}, pulled = atWall ? pulling : HeldDirections{};
         const Vec3 forces = mean(all.forces), borne = forces - held.freePart(forces);
-        motion[0] = {held.freePart(mean(all.d)) + pulled.freePart(borne), turn(all, held), mean(all.x)};
+        motion[0] = {held.freePart(mean(all.d)) + pulled.freePart(borne), turn(all, held), mean(all.x), placeOf(position[0])};
     }
 
 private:
@@ -89,14 +93,24 @@ struct MoveBack
 {
     Span<const NetMotion::Motion> motion;
     scalar perStep;
-    Span<Vec3> position, velocity;
+    Span<Position> position;
+    Span<Vec3> velocity;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const auto [mean, turn, centroid] = motion[0];
-        const Vec3 by = mean + cross(turn, position[i] - centroid);
-        position[i] -= by;
+        const auto [mean, turn, centroid, origin] = motion[0];
+        const Position from = position[i];
+        const Place at = placeOf(from);
+        const Vec3 arm = vec(at.x - origin.x, at.y - origin.y, at.z - origin.z) - centroid;
+        const Vec3 by = mean + cross(turn, arm);
+        position[i] = withBlock(from, from - by);
         velocity[i] -= perStep * by;
+    }
+
+private:
+    HOST_DEVICE static Vec3 vec(std::int64_t x, std::int64_t y, std::int64_t z)
+    {
+        return {scalar(quanta::lengthOf(x)), scalar(quanta::lengthOf(y)), scalar(quanta::lengthOf(z))};
     }
 };
 
@@ -115,12 +129,12 @@ void NetMotion::takeBack
         n,
         SumsOfParticle
         {
-            liquid.position.span(), pressure.by.span(), forces.by.span(), pressure.scale, forces.scale, walls.view(), reach
+            liquid.position.span(), pressure.by.span(), forces.by.span(), pressure.scale, forces.scale, walls.view(liquid), reach
         },
         scratch_, sums_
     );
     motion_.resizeDiscarding(1);
-    forEach(1, FindMotion{sums_.span(), double(n), walls.held(), walls.pulling(), motion_.span()});
+    forEach(1, FindMotion{sums_.span(), double(n), liquid.position.span(), walls.held(), walls.pulling(), motion_.span()});
     forEach(n, MoveBack{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});
 }
 

@@ -14,7 +14,7 @@ namespace
 struct Search
 {
     CellGridView grid;
-    Span<const Vec3> points, sources;
+    Span<const Position> points, sources;
     scalar support;
     bool sameSet;
 
@@ -22,12 +22,13 @@ struct Search
     template<class Visit>
     void forEach(int i, Visit visit) const
     {
-        const Vec3 p = points[i];
+        const Position p = points[i];
         const scalar support2 = support * support;
         const int self = sameSet ? i : -1;
         forEachBatch(grid, AroundPoint{p, support}, [&](auto j, int end)
         {
-            visit(j, j < end && squared(p - sources[j]) < support2 && j != self);
+            Vec3s r;
+            visit(j, areWithin(p, sources[j], support2, r) & (j < end) & (j != self));
         });
     }
 };
@@ -87,7 +88,7 @@ struct CopyLists
 
 }
 
-void NeighbourList::search(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
+void NeighbourList::search(Span<const Position> points, int n, const CellGrid& grid, Span<const Position> sources, bool sameSet)
 {
     const Search search{grid.view(), points, sources, support_, sameSet};
     count_.resizeDiscarding(n);

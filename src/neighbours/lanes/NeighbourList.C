@@ -16,7 +16,7 @@ namespace
 struct Search
 {
     CellGridView grid;
-    Span<const Vec3> points, sources;
+    Span<const Position> points, sources;
     scalar support;
     bool sameSet;
 
@@ -24,7 +24,7 @@ struct Search
     template<class Look, class Visit>
     HOST_DEVICE void forEach(int i, Look look, Visit visit) const
     {
-        const Vec3 p = points[i];
+        const Position p = points[i];
         const scalar support2 = support * support;
         const int self = sameSet ? i : -1;
         grid.forEachRange(AroundPoint{p, support}, [&](int first, int end)
@@ -32,7 +32,8 @@ struct Search
             const auto range = look(first, end);
             for (int j = first; j < end; ++j)
             {
-                if (squared(p - sources[j]) < support2 && j != self) visit(j, range);
+                const Position source = sources[j];
+                if (squared(p - source) < support2 && j != self && isSameImage(p, source)) visit(j, range);
             }
         });
     }
@@ -42,18 +43,17 @@ struct Search
     template<class Visit>
     HOST_DEVICE void forEachTurn(Group group, Team team, Visit visit) const
     {
-        Vec3 at[Group::most];
+        Position at[Group::most];
         #pragma unroll
         for (int p = 0; p < Group::most; ++p) at[p] = points[group[p]];
         const scalar support2 = support * support;
         const int self = sameSet ? group.first : -Group::most;
-        searchTogether(grid, at, group.members(), support, [&](int j, bool counts, const auto& x)
+        searchTogether(grid, at, sources, group.members(), support, [&](int j, bool counts, Vec3 there, const auto& x, const auto& y, const auto& z)
         {
-            const Vec3 source = sources[counts ? j : 0];
             #pragma unroll
             for (int p = 0; p < Group::most; ++p)
             {
-                const bool isNear = squared(Vec3{x[p], at[p].y, at[p].z} - source) < support2;
+                const bool isNear = squared(Vec3{x[p], y[p], z[p]} - there) < support2;
                 visit(p, j, counts & isNear & (j != self + p));
             }
         }, team);
@@ -133,10 +133,11 @@ HOST_DEVICE inline int addOf(const ListsOfGroup& list, int window)
 }
 
 // The windows of a group, around the cell of its first point and those below and above.
-HOST_DEVICE inline ListsOfGroup windowsAround(const CellGridView& grid, Vec3 p)
+HOST_DEVICE inline ListsOfGroup windowsAround(const CellGridView& grid, Position p)
 {
     ListsOfGroup list;
-    const int x = grid.cellOfX(p.x), y = grid.cellOf(p.y), z = grid.cellOf(p.z);
+    const CellPlace cell = grid.cellPlace(p);
+    const int x = grid.shortCell(cell.x, cell.in.x), y = cell.y, z = cell.z;
     #pragma unroll
     for (int k = 0; k < ListsOfGroup::windows; ++k)
     {
@@ -248,13 +249,13 @@ private:
 
 }
 
-void NeighbourList::build(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
+void NeighbourList::build(Span<const Position> points, int n, const CellGrid& grid, Span<const Position> sources, bool sameSet)
 {
     search(points, n, grid, sources, sameSet);
     lengthen(points, n, grid, sources, sameSet);
 }
 
-void NeighbourList::search(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
+void NeighbourList::search(Span<const Position> points, int n, const CellGrid& grid, Span<const Position> sources, bool sameSet)
 {
     count_.resizeDiscarding(n);
     lists_.resizeDiscarding(groups());
@@ -300,7 +301,7 @@ bool NeighbourList::cutOff()
     return isFew() ? wanted.entries > std::uint32_t(room_) : FindNeighbours::common + wanted.rows > std::uint64_t(rows_.size());
 }
 
-void NeighbourList::lengthen(Span<const Vec3> points, int n, const CellGrid& grid, Span<const Vec3> sources, bool sameSet)
+void NeighbourList::lengthen(Span<const Position> points, int n, const CellGrid& grid, Span<const Position> sources, bool sameSet)
 {
     if (!cutOff()) return;
     const Wanted wanted = readWanted();

@@ -57,7 +57,7 @@ struct SumFound
 testing::AssertionResult wideAgrees(const LiquidCase& drop, const std::vector<scalar>& counts, const std::vector<scalar>& sums)
 {
     const scalar support = drop.near.wide(drop.liquid).support;
-    const auto points = drop.liquid.predicted.download();
+    const auto points = vectors(drop.liquid.predicted);
     const int n = int(points.size());
     for (int i = 0; i < n; ++i)
     {
@@ -120,7 +120,7 @@ TEST(Neighbourhood, FollowsThePredictedPositions)
     drop.place(randomPoints(500, {0, 0, 0}, {5, 5, 5}));
     const scalar wide = 2 * drop.liquid.support();
     drop.near.update(drop.liquid, wide);
-    drop.liquid.predicted.upload(randomPoints(500, {0, 0, 0}, {6, 5, 5}, 7));
+    drop.liquid.predicted.upload(placed(randomPoints(500, {0, 0, 0}, {6, 5, 5}, 7)));
     drop.near.update(drop.liquid, wide);
     EXPECT_TRUE(agrees(drop, nearOf(drop), drop.liquid.support()));
     expectWideAgrees(drop);

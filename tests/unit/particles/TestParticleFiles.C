@@ -35,6 +35,17 @@ std::vector<Word> bitsOf(const std::vector<Vec3>& vectors)
     return bits;
 }
 
+std::vector<std::array<std::int64_t, 3>> wordsOf(const Buffer<Position>& positions)
+{
+    std::vector<std::array<std::int64_t, 3>> words;
+    for (const Position& p : positions.download())
+    {
+        const Place at = placeOf(p);
+        words.push_back({at.x, at.y, at.z});
+    }
+    return words;
+}
+
 }
 
 TEST(ParticleFiles, ReturnEveryBitInAsciiWithEnoughDigitsAndInBinary)
@@ -42,7 +53,7 @@ TEST(ParticleFiles, ReturnEveryBitInAsciiWithEnoughDigitsAndInBinary)
     constexpr int n = 500;
     LiquidCase original;
     original.liquid.resize(n);
-    original.liquid.position.upload(awkwardVectors(n, 1));
+    original.liquid.position.upload(placed(awkwardVectors(n, 1)));
     original.liquid.velocity.upload(awkwardVectors(n, 2));
     std::vector<std::uint32_t> id(n);
     for (int i = 0; i < n; ++i) id[i] = std::uint32_t(7919 * i % 500);
@@ -59,7 +70,7 @@ TEST(ParticleFiles, ReturnEveryBitInAsciiWithEnoughDigitsAndInBinary)
         Liquid copy(original.liquid.properties(), Dictionary());
         copy.read(time);
         EXPECT_EQ(copy.owned(), n);
-        EXPECT_EQ(bitsOf(copy.position.download()), bitsOf(original.liquid.position.download()));
+        EXPECT_EQ(wordsOf(copy.position), wordsOf(original.liquid.position));
         EXPECT_EQ(bitsOf(copy.velocity.download()), bitsOf(original.liquid.velocity.download()));
         EXPECT_EQ(copy.id.download(), id);
     }
@@ -70,7 +81,7 @@ TEST(ParticleFiles, HoldSIValuesOfOwnedParticles)
 {
     LiquidCase drop;
     drop.liquid.resize(2, 1);
-    drop.liquid.position.upload({{1, 0, 0}, {0, -3, 0}, {9, 9, 9}});
+    drop.liquid.position.upload(placed({{1, 0, 0}, {0, -3, 0}, {9, 9, 9}}));
     ParticleWriter().copy(drop.liquid, drop.liquid.units(), {})(drop.folder.path() / "1");
     const auto file = drop.folder.path() / "1/liquid/positions";
     const FieldData positions = readField(file, FieldType::vector, dimensions::length);
@@ -94,7 +105,7 @@ TEST(ParticleFiles, NumberParticlesThatHaveNoId)
     writeField(drop.folder.path() / "0/liquid/U", speeds, {});
     drop.liquid.read(drop.folder.path() / "0");
     EXPECT_EQ(drop.liquid.id.download(), (std::vector<std::uint32_t>{0, 1, 2}));
-    EXPECT_EQ(drop.liquid.position.download()[2].x, scalar(3e-3 / drop.liquid.units().length));
+    EXPECT_EQ(placeOf(drop.liquid.position.download()[2]).x, quanta::wholeOf(3e-3 / drop.liquid.units().length));
     EXPECT_EQ(drop.liquid.density.download(), std::vector<scalar>(3, 0));
 }
 
@@ -105,7 +116,7 @@ TEST(ParticleFiles, WriteTheMomentThatWasCopied)
     const auto copyAt = [&](int n, scalar x)
     {
         drop.liquid.resize(n);
-        drop.liquid.position.upload(std::vector<Vec3>(n, Vec3{x, 0, 0}));
+        drop.liquid.position.upload(placed(std::vector<Vec3>(n, Vec3{x, 0, 0})));
         return writer.copy(drop.liquid, drop.liquid.units(), {.binary = true});
     };
     const auto expect = [&](const std::string& time, std::size_t n, scalar x)
@@ -138,11 +149,36 @@ TEST(ParticleFiles, AUniformFieldIsTheValueOfEachParticle)
     writeField(folder / "positions", positions, {.binary = true});
     writeField(folder / "U", {"U", FieldType::vector, dimensions::velocity, true, {0, 2 * unit, -unit}}, {.precision = 17});
     drop.liquid.read(drop.folder.path() / "0");
-    const auto velocities = drop.liquid.velocity.download(), places = drop.liquid.position.download();
+    const auto velocities = drop.liquid.velocity.download();
+    const auto places = drop.liquid.position.download();
     for (int i = 0; i < n; ++i)
     {
-        ASSERT_EQ(places[i].z, scalar(3 * i + 2)) << i;
+        ASSERT_EQ(quanta::lengthOf(placeOf(places[i]).z), 3 * i + 2) << i;
         ASSERT_EQ(velocities[i].y, 2) << i;
         ASSERT_EQ(velocities[i].z, -1) << i;
+    }
+}
+
+// 10 m from the origin at a spacing of 50 um single precision would keep a hundredth of a spacing.
+TEST(ParticleFiles, KeepPlacesFarFromTheOrigin)
+{
+    LiquidCase drop({.spacing = 50e-6});
+    const double unit = drop.liquid.units().length;
+    std::vector<Position> far;
+    for (int i = 0; i < 300; ++i)
+    {
+        const Position p = positionAt(10 / unit + i / 7.0, -10 / unit - i / 11.0, 150 / unit + i / 13.0);
+        far.push_back(p);
+    }
+    drop.liquid.resize(int(far.size()));
+    drop.liquid.position.upload(far);
+    for (const bool binary : {false, true})
+    {
+        ParticleCopy written;
+        written.take(drop.liquid, drop.liquid.units());
+        written.write(drop.folder.path() / "1", {.binary = binary});
+        Liquid copy(drop.liquid.properties(), Dictionary());
+        copy.read(drop.folder.path() / "1");
+        EXPECT_EQ(wordsOf(copy.position), wordsOf(drop.liquid.position));
     }
 }

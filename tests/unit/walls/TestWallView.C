@@ -19,7 +19,7 @@ public:
     {
         WallSurfacesView view;
         view.halfSpace = {{table.data(), int(table.size())}, support};
-        for (const Vec3& n : normals) view.surface[view.count++] = {WallSurface::plane, {}, n, 0, 1, 0};
+        for (const Vec3& n : normals) view.surface[view.count++] = {WallSurface::plane, {}, {n.x, n.y, n.z}, 0, 1, 0};
         return view;
     }
 
@@ -31,26 +31,26 @@ public:
 
 TEST_F(WallSurfaces, OneOrNoneIsWhatItsTableSays)
 {
-    const auto none = planes({}).density({0.3f, 0, 0});
+    const auto none = planes({}).density(placeAt(0.3f, 0, 0));
     EXPECT_EQ(none.value, 0);
     EXPECT_EQ(norm(none.gradient), 0);
 
     const WallSurfacesView floor = planes({{0, 0, 1}});
     for (const scalar z : {-0.4f, 0.0f, 0.3f, 1.1f})
     {
-        const auto density = floor.density({5, -3, z});
+        const auto density = floor.density(placeAt(5, -3, z));
         EXPECT_NEAR(density.value, floor.halfSpace(z).density, 1e-6);
         EXPECT_NEAR(density.gradient.z, -floor.halfSpace(z).gradient, 1e-6);
         EXPECT_EQ(density.gradient.x, 0);
     }
-    EXPECT_EQ(floor.density({0, 0, support}).value, 0);
+    EXPECT_EQ(floor.density(placeAt(0, 0, support)).value, 0);
 }
 
 // By symmetry the solid of two perpendicular planes fills 3/4 around their edge, that of three 7/8 around their corner.
 TEST_F(WallSurfaces, FillEdgesAndCornersBySymmetry)
 {
-    EXPECT_NEAR(planes({{1, 0, 0}, {0, 0, 1}}).density({0, 4, 0}).value, 0.75, 1e-6);
-    EXPECT_NEAR(planes({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}).density({0, 0, 0}).value, 0.875, 1e-6);
+    EXPECT_NEAR(planes({{1, 0, 0}, {0, 0, 1}}).density(placeAt(0, 4, 0)).value, 0.75, 1e-6);
+    EXPECT_NEAR(planes({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}).density(placeAt(0, 0, 0)).value, 0.875, 1e-6);
 }
 
 // The union's volume by a midpoint sum over a grid of h/40. A spline is not separable, so the product is an
@@ -70,7 +70,7 @@ TEST_F(WallSurfaces, ApproachTheUnionOfTwoPerpendicularPlanes)
             {
                 if (x + r.x < 0 || z + r.z < 0) sum += W.W(norm(r)) * step * step * step;
             }
-            EXPECT_NEAR(edge.density({x, 0, z}).value, sum, 0.003) << x << " " << z;
+            EXPECT_NEAR(edge.density(placeAt(x, 0, z)).value, sum, 0.003) << x << " " << z;
         }
     }
 }
@@ -83,10 +83,11 @@ TEST_F(WallSurfaces, GradientIsThatOfTheUnion)
     const scalar step = support / 64, largest = corner.halfSpace(0).gradient;
     for (const Vec3 x : randomPoints(200, {0, 0, 0}, {1.5f, 1.5f, 1.5f}))
     {
-        const Vec3 gradient = corner.density(x).gradient;
+        const auto at = [&](Vec3 p) { return corner.density(placeAt(p.x, p.y, p.z)); };
+        const Vec3 gradient = at(x).gradient;
         const auto difference = [&](Vec3 by)
         {
-            return (corner.density(x + by).value - corner.density(x - by).value) / (2 * step);
+            return (at(x + by).value - at(x - by).value) / (2 * step);
         };
         EXPECT_NEAR(gradient.x, difference({step, 0, 0}), 0.01f * largest);
         EXPECT_NEAR(gradient.y, difference({0, step, 0}), 0.01f * largest);

@@ -26,7 +26,7 @@ TEST(Walls, GiveSolidParticlesTheirVirtualVolumes)
         const auto layer = latticeBlock(15, 13, 1, 0.9f, {-7, -6, -0.5f});
         const LiquidCase walls({.kernel = kernel, .walls = sampledFloor, .solidPositions = layer});
         const double d = walls.liquid.spacing(), h = walls.liquid.support();
-        const auto view = walls.walls.view().particles;
+        const auto view = walls.walls.view(walls.liquid).particles;
         const auto position = download(view.position);
         const auto volume = download(view.volume);
         ASSERT_EQ(volume.size(), layer.size());
@@ -50,9 +50,9 @@ TEST(Walls, ReorderContactAnglesWithTheirParticles)
     std::vector<double> theta;
     for (const Vec3& p : layer) theta.push_back(90 + 10 * p.x);
     LiquidCase walls({.walls = sampledFloor, .solidPositions = layer, .solidTheta = theta});
-    EXPECT_EQ(walls.walls.view().particles.cosTheta.size, 0);       // nobody asked
+    EXPECT_EQ(walls.walls.view(walls.liquid).particles.cosTheta.size, 0);       // nobody asked
     walls.walls.requireContactAngles();
-    const auto view = walls.walls.view().particles;
+    const auto view = walls.walls.view(walls.liquid).particles;
     const auto position = download(view.position);
     const auto cosine = download(view.cosTheta);
     ASSERT_EQ(cosine.size(), 50u);
@@ -75,7 +75,7 @@ TEST(Walls, KeepContactAnglesWithTheirParticlesInWiderCells)
         if (anglesFirst) walls.walls.requireContactAngles();
         walls.walls.requireContacts(walls.liquid, 4 * walls.liquid.spacing());
         walls.walls.requireContactAngles();
-        const auto view = walls.walls.view().particles;
+        const auto view = walls.walls.view(walls.liquid).particles;
         const auto position = download(view.position);
         const auto cosine = download(view.cosTheta);
         ASSERT_EQ(cosine.size(), layer.size());
@@ -143,22 +143,22 @@ TEST(Walls, FitThePlaneOfAFlatLayer)
             drop.place(points);
 
             const scalar d = drop.liquid.spacing();
-            const auto view = drop.walls.view().planes;
+            const auto view = drop.walls.view(drop.liquid).planes;
             const auto normal = download(view.normal);
-            const auto offset = download(view.offset), cosTheta = download(view.cosTheta);
-            const auto x = drop.liquid.predicted.download();
+            const auto point = download(view.point);
+            const auto x = vectors(drop.liquid.predicted);
             const auto id = drop.liquid.id.download();
-            ASSERT_EQ(offset.size(), points.size());
+            ASSERT_EQ(point.size(), points.size());
             for (std::size_t i = 0; i < points.size(); ++i)
             {
                 if (id[i] == 60)
                 {
-                    EXPECT_EQ(offset[i], WallPlanesView::nowhere);
+                    EXPECT_EQ(norm(normal[i]), 0);
                     continue;
                 }
                 EXPECT_NEAR(norm(normal[i] - n), 0, 1e-6);
-                EXPECT_NEAR(dot(normal[i], x[i]) - offset[i], local[id[i]].z * d, 4e-6) << tilt << " " << apart;
-                EXPECT_NEAR(cosTheta[i], 0.5f, 1e-6);
+                EXPECT_NEAR(dot(normal[i], x[i] - point[i]), local[id[i]].z * d, 4e-6) << tilt << " " << apart;
+                EXPECT_NEAR(normal[i].w, 0.5f, 1e-6);
             }
         }
     }
@@ -195,16 +195,16 @@ TEST(Walls, FitTangentPlanesToASampledSphere)
             drop.place(points);
 
             const scalar d = drop.liquid.spacing();
-            const auto view = drop.walls.view().planes;
+            const auto view = drop.walls.view(drop.liquid).planes;
             const auto normal = download(view.normal);
-            const auto offset = download(view.offset);
-            const auto x = drop.liquid.predicted.download();
+            const auto point = download(view.point);
+            const auto x = vectors(drop.liquid.predicted);
             const auto id = drop.liquid.id.download();
             for (std::size_t i = 0; i < points.size(); ++i)
             {
                 const scalar distance = norm(points[id[i]] - centre) - radius;
                 EXPECT_GT(dot(normal[i], directions[id[i]]), std::cos(std::numbers::pi / 180)) << distance;
-                EXPECT_NEAR((dot(normal[i], x[i]) - offset[i]) / d, distance, 0.003f) << radius << " " << distance;
+                EXPECT_NEAR(dot(normal[i], x[i] - point[i]) / d, distance, 0.003f) << radius << " " << distance;
             }
         }
     }
@@ -218,8 +218,8 @@ TEST(Walls, PutLiquidBackHalfASpacingBeforeATangentPlane)
     drop.place({{0.3f, 0.2f, 0.1f}, {-2, 1.5f, 0.7f}});
     drop.walls.project(drop.liquid);
     const auto moved = drop.inOrder(drop.liquid.predicted);
-    EXPECT_NEAR(moved[0].z, 0.5f * drop.liquid.spacing(), 1e-6);
-    EXPECT_EQ(moved[1].z, 0.7f * drop.liquid.spacing());
+    EXPECT_NEAR(moved[0].z, 0.5f * drop.liquid.spacing(), 2 * quanta::each);
+    EXPECT_EQ(moved[1].z, rounded(0.7f * drop.liquid.spacing()));
 }
 
 TEST(Walls, PutLiquidBackHalfASpacingOutside)
@@ -230,12 +230,12 @@ TEST(Walls, PutLiquidBackHalfASpacingOutside)
     drop.walls.project(drop.liquid);
     const auto moved = drop.inOrder(drop.liquid.predicted);
     const scalar d = drop.liquid.spacing();
-    // Coordinates of up to five units, rounded to 5e-7.
-    EXPECT_NEAR(moved[0].z, 0.5f * d, 1e-6);
-    EXPECT_NEAR(moved[1].z, 0.5f * d, 1e-6);
-    EXPECT_EQ(moved[1].x, d);
-    EXPECT_EQ(moved[2].z, 3 * d);
-    EXPECT_NEAR(moved[3].z, 4.5f * d, 1e-6);
+    // Places are rounded to 1e-6, before and behind.
+    EXPECT_NEAR(moved[0].z, 0.5f * d, 2 * quanta::each);
+    EXPECT_NEAR(moved[1].z, 0.5f * d, 2 * quanta::each);
+    EXPECT_EQ(moved[1].x, rounded(d));
+    EXPECT_EQ(moved[2].z, rounded(3 * d));
+    EXPECT_NEAR(moved[3].z, 4.5f * d, 2 * quanta::each);
 }
 
 TEST(Walls, StopLiquidAQuarterOfASpacingBeforeALayer)
@@ -244,27 +244,27 @@ TEST(Walls, StopLiquidAQuarterOfASpacingBeforeALayer)
     // Before the layer, too near to it, behind it, beside its border at 4 spacings, and too near to it before the step.
     drop.place({{0.3f, 0.2f, -0.24f}, {-2, 1.5f, -0.4f}, {2.1f, -1.2f, -0.9f}, {5.2f, 0, -0.9f}, {0, 2, -0.4f}});
     const scalar d = drop.liquid.spacing();
-    auto before = drop.liquid.position.download();
+    auto before = vectors(drop.liquid.position);
     for (Vec3& x : before) x.z = x.x == 0 ? -0.35f * d : 0;
-    drop.liquid.position.upload(before);
+    drop.liquid.position.upload(placed(before));
     drop.walls.project(drop.liquid);
     const auto moved = drop.inOrder(drop.liquid.predicted);
-    EXPECT_EQ(moved[0].z, -0.24f * d);
-    // Averages of equal heights of half a unit, rounded to 1e-7.
-    EXPECT_NEAR(moved[1].z, -0.25f * d, 1e-6);
-    EXPECT_NEAR(moved[2].z, -0.25f * d, 1e-6);
-    EXPECT_EQ(moved[2].x, 2.1f * d);
-    EXPECT_EQ(moved[3].z, -0.9f * d);
-    EXPECT_NEAR(moved[4].z, -0.35f * d, 1e-6);
+    EXPECT_EQ(moved[0].z, rounded(-0.24f * d));
+    // Averages of equal heights; places are rounded to 1e-6.
+    EXPECT_NEAR(moved[1].z, -0.25f * d, 2 * quanta::each);
+    EXPECT_NEAR(moved[2].z, -0.25f * d, 2 * quanta::each);
+    EXPECT_EQ(moved[2].x, rounded(2.1f * d));
+    EXPECT_EQ(moved[3].z, rounded(-0.9f * d));
+    EXPECT_NEAR(moved[4].z, -0.35f * d, 2 * quanta::each);
 }
 
 TEST(Walls, HaveNoInnerSideWhereNormalsCancel)
 {
     LiquidCase drop({.walls = sampledFloor, .solidPositions = latticeBlock(9, 9, 1, 1, {-4, -4, -0.5f}), .solidNormal = {}});
     drop.place({{0, 0, -0.4f}});
-    drop.liquid.position.upload(std::vector<Vec3>{{0, 0, 0}});
+    drop.liquid.position.upload(placed(std::vector<Vec3>{{0, 0, 0}}));
     drop.walls.project(drop.liquid);
-    EXPECT_EQ(drop.inOrder(drop.liquid.predicted)[0].z, -0.4f * drop.liquid.spacing());
+    EXPECT_EQ(drop.inOrder(drop.liquid.predicted)[0].z, rounded(-0.4f * drop.liquid.spacing()));
 }
 
 TEST(Walls, RefuseLiquidThatStartsInTheSolid)
@@ -299,9 +299,9 @@ TEST(Walls, CountABoxAsSixSurfaces)
     const LiquidCase tank({.walls = "tank { type box; min (0 0 0); max (1 2 3); }"});
     EXPECT_EQ(tank.walls.surfaces(), 6);
     EXPECT_EQ(tank.walls.particles(), 0);
-    const auto view = tank.walls.view().surfaces;
+    const auto view = tank.walls.view(tank.liquid).surfaces;
     const scalar unit = scalar(tank.liquid.units().length);
-    const Vec3 inside{0.5f / unit, 0.5f / unit, 2 / unit};
+    const Place inside = placeAt(0.5 / unit, 0.5 / unit, 2 / unit);
     scalar nearest = 1e9f, sum = 0;
     for (int a = 0; a < view.count; ++a)
     {
@@ -331,7 +331,7 @@ TEST(Walls, ReadContactAnglesOfSurfaces)
     {
         LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta " + std::string(theta) + "; }"});
         drop.walls.requireContactAngles();
-        EXPECT_NEAR(drop.walls.view().surfaces.surface[0].cosTheta, cosine, 1e-7);
+        EXPECT_NEAR(drop.walls.view(drop.liquid).surfaces.surface[0].cosTheta, cosine, 1e-7);
     }
     LiquidCase wrong({.walls = floorPlane, .wettability = "floor { theta 181; }"});
     EXPECT_TRUE(holds(messageOf([&] { wrong.walls.requireContactAngles(); }),

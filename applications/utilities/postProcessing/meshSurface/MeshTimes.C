@@ -10,7 +10,7 @@
 namespace shizuku
 {
 
-void reportMeshTimes(LiquidSurface& surface, Span<const Vec3> positions, int repeats)
+void reportMeshTimes(LiquidSurface& surface, Span<const Position> positions, int repeats)
 {
     std::vector<double> milliseconds;
     for (int k = 0; k < repeats; ++k)

@@ -11,6 +11,7 @@
 #include "particles/Units.H"
 #include "surface/CaseSurface.H"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -41,11 +42,22 @@ std::vector<TimeFolder> timesWithLiquid(const Arguments& args)
     return selectTimesWith(args, holds, "liquid", "<time>/liquid/positions, of fillLiquid or the solver");
 }
 
-std::vector<Vec3> scaled(const std::vector<Vector3>& positions, double unit)
+std::vector<Position> scaled(const std::vector<Vector3>& positions, double unit)
 {
-    std::vector<Vec3> result;
+    std::vector<Position> result;
     result.reserve(positions.size());
-    for (const Vector3& x : positions) result.push_back({scalar(x.x / unit), scalar(x.y / unit), scalar(x.z / unit)});
+    for (const Vector3& x : positions)
+    {
+        const double farthest = std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+        if (!(farthest < quanta::farthest * unit))
+        {
+            std::ostringstream text;
+            text << "A particle is " << farthest << " m away from the origin, and places are told apart within " << quanta::farthest * unit
+                 << " m.\n    Look for particles that flew away.";
+            throw FatalError(text.str());
+        }
+        result.push_back(positionAt(x.x / unit, x.y / unit, x.z / unit));
+    }
     return result;
 }
 
@@ -89,7 +101,7 @@ void meshSurface(const Arguments& args)
     for (std::size_t t = 0; t < times.size(); ++t)
     {
         const std::vector<Vector3> positions = readLiquidPositions(times[t].path);
-        const Buffer<Vec3> particles(scaled(positions, units.length));
+        const Buffer<Position> particles(scaled(positions, units.length));
         surface.build(particles.span());
         TriangleMesh mesh = toTriangleMesh(surface.download(), units.length);
         const double volume = mesh.volume(), filled = double(positions.size()) * spacing * spacing * spacing;

@@ -49,7 +49,7 @@ void report(const SeparateBody& body, std::size_t number, const LiquidProperties
 void reportLiquid(const Liquid& liquid, double gravity, Findings& findings)
 {
     const LiquidProperties& p = liquid.properties();
-    const auto positions = toHost(liquid.position, liquid.units().length, liquid.owned());
+    const auto positions = liquid.positions();
     checkSpacing(positions, p.spacing, findings);
     const auto velocities = toHost(liquid.velocity, liquid.units().of(dimensions::velocity), liquid.owned());
     const std::vector<SeparateBody> bodies = separateBodies(positions, velocities, p.spacing);

@@ -124,11 +124,6 @@ void SolvedCase::readParticles(Findings& findings)
 {
     if (!liquid || !time) return;
     if (!findings.attempt([&] { liquid->read(time->path()); })) return;
-    findings.attempt([&]
-    {
-        const std::string text = roundingWarning(*liquid, time->path());
-        if (!text.empty()) findings.warn(text);
-    });
     const StartLimits limits = models ? StartLimits::of(time->index(), *models->pressure) : StartLimits{};
     if (!relaxes_) findings.attempt([&] { refuseOverlap(*liquid, time->path(), limits); });
     else if (measureCrowding(*liquid).overlaps(limits))

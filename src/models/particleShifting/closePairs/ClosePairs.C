@@ -25,15 +25,15 @@ namespace
 struct PartPairs
 {
     scalar distance, most, outermost;       // outermost: how far below the surface particles stay where they are
-    Span<const Vec3> x;
+    Span<const Position> x;
     NeighbourView near;
     FreeSurfaceView surface;
     WallStop stop;
-    Span<Vec3> shifted;
+    Span<Position> shifted;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
         Team::Vector sum;
         near.forEach(i, xi, x, [&](auto, auto r)
         {
@@ -42,8 +42,8 @@ struct PartPairs
         }, team);
         const Vec3 shift = 0.5f * team.sum(sum);
         const scalar far = norm(shift);
-        const Vec3 admitted = stop(i, xi + (far > most ? most / far : 1) * shift, team);
-        if (team.first()) shifted[i] = surface(i).depth >= outermost ? admitted : xi;
+        const Position admitted = stop(i, xi + (far > most ? most / far : 1) * shift, team);
+        if (team.first()) shifted[i] = surface(i).depth >= outermost ? withBlock(xi, admitted) : xi;
     }
 };
 

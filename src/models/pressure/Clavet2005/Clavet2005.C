@@ -40,14 +40,14 @@ struct Pressures
 {
     Relaxation of;
     scalar perVolume;                   // 1/V
-    Span<const Vec3> x;
+    Span<const Position> x;
     NeighbourView near;
     WallParticlesView solid;
     Span<scalar> pressure, nearPressure;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
         scalar sum = 0, nearSum = 0;
         const auto add = [&](scalar r, scalar weight)
         {
@@ -65,15 +65,15 @@ struct Pressures
 struct Relax
 {
     scalar h, half, perVolume;          // half: dt^2/2
-    Span<const Vec3> x;
+    Span<const Position> x;
     NeighbourView near;
     WallParticlesView solid;
     Span<const scalar> pressure, nearPressure;
-    Span<Vec3> corrected;
+    Span<Position> corrected;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
         const scalar own = pressure[i], ownNear = nearPressure[i];
         Vec3 sum;
         const auto push = [&](Vec3 r, scalar P, scalar nearP)
@@ -154,7 +154,7 @@ public:
         nearPressure_.resizeDiscarding(liquid.all());
         forEach(liquid.owned(), Pressures
         {
-            relaxation_, 1 / liquid.particleVolume(), liquid.predicted.span(), near.view(), walls.view().particles,
+            relaxation_, 1 / liquid.particleVolume(), liquid.predicted.span(), near.view(), walls.view(liquid).particles,
             pressure_.span(), nearPressure_.span()
         });
         return true;
@@ -167,7 +167,7 @@ public:
         forEach(liquid.owned(), Relax
         {
             relaxation_.h, 0.5f * dt_ * dt_, 1 / liquid.particleVolume(), liquid.predicted.span(), near.view(),
-            walls.view().particles, pressure_.span(), nearPressure_.span(), corrected_.span()
+            walls.view(liquid).particles, pressure_.span(), nearPressure_.span(), corrected_.span()
         });
         liquid.predicted.swap(corrected_);
     }
@@ -182,7 +182,7 @@ private:
     scalar dt_ = 0;
     int made_ = 0;
     Buffer<scalar> pressure_, nearPressure_;
-    Buffer<Vec3> corrected_;
+    Buffer<Position> corrected_;
 };
 
 const PressureTable::Add<Clavet2005> registered{"Clavet2005"};

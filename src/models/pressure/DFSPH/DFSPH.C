@@ -42,7 +42,7 @@ struct Factor
 {
     Kernel W;
     scalar volume;
-    Span<const Vec3> at;
+    Span<const Position> at;
     NeighbourView near;
     WallView walls;
     Span<scalar> factor;
@@ -61,14 +61,15 @@ struct Convergence
 {
     Kernel W;
     scalar volume;
-    Span<const Vec3> at;
+    Span<const Position> at;
     NeighbourView near;
     WallView walls;
 
     template<class Motion>
     HOST_DEVICE scalar operator()(int i, const Motion& u) const
     {
-        const Vec3 xi = at[i], ui = u(i);
+        const Position xi = at[i];
+        const Vec3 ui = u(i);
         scalar sum = dot(ui, walls.gradient(i, xi, W));
         near.forEach(i, [&](int j)
         {
@@ -81,7 +82,7 @@ struct Convergence
 
 struct WayMade
 {
-    Span<const Vec3> predicted, position;
+    Span<const Position> predicted, position;
 
     HOST_DEVICE Vec3 operator()(int i) const { return predicted[i] - position[i]; }
 };
@@ -131,13 +132,13 @@ struct DivergenceStep
     HOST_DEVICE void operator()(int i) const
     {
         const WallView& walls = convergence.walls;
-        const Vec3 xi = convergence.at[i];
+        const Position xi = convergence.at[i];
         int count = int(convergence.near.count[i]);
         walls.particles.near.forEach(i, [&](int k)
         {
             if (norm(xi - walls.particles.position[k]) < convergence.W.h) ++count;
         });
-        const bool few = scalar(count) + perVolume * walls.surfaces.density(xi).value < 0.6f * fullCount;
+        const bool few = scalar(count) + perVolume * walls.ofSurfaces(i, xi).value < 0.6f * fullCount;
         const scalar now = convergence(i, velocity);
         rate[i] = few ? 0 : fmax(now, 0);
         increase[i] = few ? raise(total[i], -total[i]) : raise(total[i], relaxation * factor[i] * now);
@@ -207,7 +208,7 @@ public:
                 }
                 forEach(liquid.owned(), DensityStep<Kernel>
                 {
-                    {W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view()},
+                    {W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view(liquid)},
                     {liquid.predicted.span(), liquid.position.span()}, perPressure, start_.span(), factor_.span(),
                     liquid.density.span(), pressure_.span(), increase_.span()
                 });
@@ -239,7 +240,7 @@ public:
                 {
                     forEach(liquid.owned(), DivergenceStep<Kernel>
                     {
-                        {W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view()},
+                        {W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view(liquid)},
                         {liquid.velocity.span()}, inSupport - 1, inSupport, factor_.span(), rate_.span(),
                         velocityPotential_.span(), increase_.span()
                     });
@@ -264,16 +265,16 @@ private:
         increase_.resizeDiscarding(liquid.all());
         forEach(liquid.owned(), Factor<Kernel>
         {
-            W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view(), factor_.span()
+            W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view(liquid), factor_.span()
         });
     }
 
-    template<class Kernel>
-    void push(const Kernel& W, const Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& moved)
+    template<class Kernel, class Moved>
+    void push(const Kernel& W, const Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Moved>& moved)
     {
-        forEach(liquid.owned(), PushApart<Kernel, SumOfBoth>
+        forEach(liquid.owned(), PushApart<Kernel, SumOfBoth, Moved>
         {
-            W, liquid.particleVolume(), {increase_.span()}, liquid.position.span(), near.view(), walls.view(), moved.span()
+            W, liquid.particleVolume(), {increase_.span()}, liquid.position.span(), near.view(), walls.view(liquid), moved.span()
         });
     }
 

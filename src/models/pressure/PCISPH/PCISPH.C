@@ -79,7 +79,7 @@ public:
             {
                 forEach(liquid.owned(), PushApart<Kernel, SumOfBoth>
                 {
-                    W, liquid.particleVolume(), {increase_.span()}, liquid.position.span(), near.view(), walls.view(),
+                    W, liquid.particleVolume(), {increase_.span()}, liquid.position.span(), near.view(), walls.view(liquid),
                     liquid.predicted.span()
                 });
             },

@@ -24,12 +24,15 @@ constexpr scalar closedBelow = 0.3f;        // cells below the surface: more tha
 struct DeepInside
 {
     FreeSurfaceView surface;
-    Span<const Vec3> x;
+    CellGridView grid;
+    WallView walls;
+    Span<const Position> x;
 
-    HOST_DEVICE PointBounds operator()(int i) const
+    HOST_DEVICE CellBounds operator()(int i) const
     {
         if (!surface.isInside(i)) return {};
-        return {x[i], x[i]};
+        const CellPlace at = grid.cellPlace(positionAt(walls.place(i, x[i])));
+        return {{at.x, at.y, at.z}, {at.x, at.y, at.z}};
     }
 };
 
@@ -39,24 +42,27 @@ struct ParticlesOfCell
     CellGridView grid;
     CoarseBox box;
     Span<const std::uint32_t> order;        // as they lie in the grid
-    Span<const Vec3> x;
+    Span<const Position> x, start;
 
     template<class Visit>
     HOST_DEVICE void forEach(int cell, Visit visit) const
     {
         const GridBox::Place at = box.cellAt(cell);
-        const int cx = at.x + box.lowX, cy = at.y + box.lowY, cz = at.z + box.lowZ;
-        const Vec3 centre = box.width * Vec3{scalar(cx) + 0.5f, scalar(cy) + 0.5f, scalar(cz) + 0.5f};
+        const Vec3 centre = box.width * Vec3{scalar(at.x) + 0.5f, scalar(at.y) + 0.5f, scalar(at.z) + 0.5f};
         const scalar far = 2.5f * box.width;            // they may have moved since they were sorted
-        grid.forEachRangeOfCell(cx, cy, cz, [&](int first, int end)
+        grid.forEachRangeOfCell(at.x + box.lowX, at.y + box.lowY, at.z + box.lowZ, [&](int first, int end)
         {
             for (int k = first; k < end; ++k)
             {
                 const int j = int(order[k]);
-                if (squared(x[j] - centre) < far * far) visit(j);
+                const Vec3 r = place(j);
+                if (squared(r - centre) < far * far && isSameImage(box.corner, withBlock(start[j], x[j]))) visit(j, r);
             }
         });
     }
+
+    // From the box's corner on.
+    HOST_DEVICE Vec3 place(int j) const { return x[j] - box.corner; }
 };
 
 struct SumShape
@@ -73,7 +79,7 @@ struct SumShape
     {
         scalar filled = 0, known = 0, depth = 0;
         Vec3 into;
-        particles.forEach(cell, [&](int j)
+        particles.forEach(cell, [&](int j, Vec3 r)
         {
             filled += part;
             if (density[j] < spray)
@@ -87,7 +93,7 @@ struct SumShape
             const Vec3 m = 1 / fmax(norm(state.gradient), 1e-20f) * state.gradient;
             known += part;
             into += part * m;
-            depth += part * (state.depth - dot(particles.x[j], m));
+            depth += part * (state.depth - dot(r, m));
         });
         fill[cell] = filled;
         surfaceFill[cell] = known;
@@ -106,7 +112,7 @@ struct OpenNodes
     HOST_DEVICE void operator()(int i) const
     {
         const GridBox::Place at = box.nodeAt(i);
-        const Vec3 x = box.width * Vec3{scalar(at.x + box.lowX), scalar(at.y + box.lowY), scalar(at.z + box.lowZ)};
+        const Vec3 x = box.width * Vec3{scalar(at.x), scalar(at.y), scalar(at.z)};
         scalar known = 0, depth = 0;
         Vec3 into;
         box.forEachCellAround(at, [&](int cell, int, int, int)
@@ -129,7 +135,7 @@ struct SumError
     HOST_DEVICE void operator()(int cell) const
     {
         scalar sum = 0;
-        particles.forEach(cell, [&](int j) { sum += part * fmin(fmax(density[j] - 1, -mostError), mostError); });
+        particles.forEach(cell, [&](int j, Vec3) { sum += part * fmin(fmax(density[j] - 1, -mostError), mostError); });
         error[cell] = sum;
     }
 };
@@ -204,12 +210,12 @@ struct MoveApart
     scalar most;
     Span<const Vec3> gradient;
     Span<const scalar> known;
-    Span<Vec3> predicted;
+    Span<Position> predicted;
 
     HOST_DEVICE void operator()(int i) const
     {
         constexpr scalar left = 2;              // cells outside of the box
-        const Vec3 place = 1 / box.width * predicted[i] - Vec3{scalar(box.lowX), scalar(box.lowY), scalar(box.lowZ)};
+        const Vec3 place = 1 / box.width * (predicted[i] - box.corner);
         const Vec3 in{fmin(fmax(place.x, 0), scalar(box.x)), fmin(fmax(place.y, 0), scalar(box.y)), fmin(fmax(place.z, 0), scalar(box.z))};
         if (!(squared(place - in) < left * left)) return;
         const auto cellOf = [](scalar at, int cells) { const int cell = int(at); return cell < cells ? cell : cells - 1; };
@@ -237,35 +243,37 @@ struct MoveApart
 
 CoarseCorrection::CoarseCorrection(const Liquid& liquid) : grid_(spacings * liquid.spacing()) {}
 
-void CoarseCorrection::begin(const Liquid& liquid, const FreeSurface& surface)
+void CoarseCorrection::begin(const Liquid& liquid, const Walls& walls, const FreeSurface& surface)
 {
     box_ = {};
-    const Span<const Vec3> x = liquid.predicted.span();
+    const Span<const Position> x = liquid.predicted.span();
     const FreeSurfaceView view = surface.view();
-    const PointBounds bounds = reduce(liquid.owned(), DeepInside{view, x}, scratch_);
-    if (bounds.low.x > bounds.high.x) return;
+    const CellGridView cells = grid_.view();
+    const CellBounds bounds = reduce(liquid.owned(), DeepInside{view, cells, walls.view(liquid), x}, scratch_);
+    if (bounds.low[0] > bounds.high[0]) return;
 
     // Those deep inside see the surface from one support away, or from as far as the next layer then is. The nodes around it belong to the box:
     // without closed ones nothing could give way.
-    const scalar width = spacings * liquid.spacing(), around = liquid.support() + width;
-    const auto cellOf = [&](scalar at) { return int(std::floor(at / width)); };
+    const scalar width = cells.cellSize;
+    const int around = int(std::ceil(liquid.support() / width)) + 1;
     CoarseBox box;
     box.width = width;
-    box.lowX = cellOf(bounds.low.x - around);
-    box.lowY = cellOf(bounds.low.y - around);
-    box.lowZ = cellOf(bounds.low.z - around);
-    box.x = cellOf(bounds.high.x + around) - box.lowX + 1;
-    box.y = cellOf(bounds.high.y + around) - box.lowY + 1;
-    box.z = cellOf(bounds.high.z + around) - box.lowZ + 1;
+    box.lowX = bounds.low[0] - around;
+    box.lowY = bounds.low[1] - around;
+    box.lowZ = bounds.low[2] - around;
+    box.corner = cells.corner(box.lowX, box.lowY, box.lowZ);
+    box.x = bounds.high[0] + around - box.lowX + 1;
+    box.y = bounds.high[1] + around - box.lowY + 1;
+    box.z = bounds.high[2] + around - box.lowZ + 1;
     constexpr double most = 1 << 26;        // cells
-    const double cells = double(box.x) * box.y * box.z;
-    if (cells > most)
+    const double all = double(box.x) * box.y * box.z;
+    if (all > most)
     {
         if (!tooWide_)
         {
             warning
             (
-                "The coarse grid around the liquid would have " + std::to_string(std::int64_t(cells)) +
+                "The coarse grid around the liquid would have " + std::to_string(std::int64_t(all)) +
                 " cells, more than 2^26: it is left out while the liquid lies so far apart"
             );
         }
@@ -273,7 +281,7 @@ void CoarseCorrection::begin(const Liquid& liquid, const FreeSurface& surface)
         return;
     }
     box_ = box;
-    order_ = grid_.build(x, liquid.owned());
+    order_ = grid_.build(x, liquid.owned(), {}, liquid.position.span());
 
     fill_.resizeDiscarding(box.cells());
     surfaceFill_.resizeDiscarding(box.cells());
@@ -283,7 +291,7 @@ void CoarseCorrection::begin(const Liquid& liquid, const FreeSurface& surface)
     const scalar part = liquid.particleVolume() / (width * width * width);
     forEach(box.cells(), SumShape
     {
-        {grid_.view(), box, order_.span(), x}, part, liquid.spacing(), view, liquid.density.span(), fill_.span(), surfaceFill_.span(),
+        {grid_.view(), box, order_.span(), x, liquid.position.span()}, part, liquid.spacing(), view, liquid.density.span(), fill_.span(), surfaceFill_.span(),
         surfaceDepth_.span(), ofCells_.span()
     });
     forEach(box.nodes(), OpenNodes{box, surfaceFill_.span(), surfaceDepth_.span(), ofCells_.span(), open_.span()});
@@ -300,7 +308,7 @@ void CoarseCorrection::apply(Liquid& liquid)
     const scalar part = liquid.particleVolume() / (box_.width * box_.width * box_.width);
     forEach(box_.cells(), SumError
     {
-        {grid_.view(), box_, order_.span(), liquid.predicted.span()}, part, liquid.density.span(), error_.span()
+        {grid_.view(), box_, order_.span(), liquid.predicted.span(), liquid.position.span()}, part, liquid.density.span(), error_.span()
     });
     forEach(box_.nodes(), SourceOfNodes{box_, error_.span(), fill_.span(), open_.span(), poisson_.source()});
     poisson_.solve(cycles);

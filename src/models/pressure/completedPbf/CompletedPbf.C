@@ -64,14 +64,15 @@ struct RaisePressure
     scalar volume, densityVolume;           // V, V/S
     scalar ordering;                        // o
     scalar relaxation, epsilon, perPressure; // perPressure: dt^2/rho0
-    Span<Vec3> x;                           // gets w = dt^2/rho0 dp
+    Span<Position> x;                       // gets dt^2/rho0 dp in the place of its block
     NeighbourView near;
     WallCompletion walls;
     FreeSurfaceView surface;
     HalfSpaceView plane;
     Span<const scalar> pressure;            // so far; of the first iteration that of the step before
     Span<scalar> density;
-    Span<Vec3> push, order;                 // dt^2/rho0 (2 dp grad(walls) + e), dt^2/rho0 e; order may be empty
+    Span<Position> push;                    // dt^2/rho0 (2 dp grad(walls) + e), as words
+    Span<Vec3> order;                       // dt^2/rho0 e; may be empty
     Stress stress;
     Tangential tangential;
 
@@ -94,11 +95,11 @@ struct RaisePressure
         const scalar before = Stress::present ? 0 : pressure[i];
         const scalar step = relaxation * (density[i] - 1) / (sums.squares + squared(gradient) + epsilon);
         const scalar raised = fmax(before + step / perPressure, own.lowestPressure), increase = (raised - before) * perPressure;
-        x[i].w = increase;
+        x[i].w = wordOf(increase);
 
         const Vec3 disorder = gradient - gas.gradient / fmax(norm(own.gradient), 1e-20f) * own.gradient;
         const Vec3 e = 2 * increase * ((raised < 0 ? -ordering : ordering) - 1) * disorder;
-        push[i] = 2 * increase * wall.gradient + e;
+        push[i] = wordsOf(2 * increase * wall.gradient + e);
         if (order.size > 0) order[i] = e;
     }
 };
@@ -110,27 +111,30 @@ struct Displace
 
     Kernel W;
     scalar volume, perPressure;
-    Span<const Vec3> x;                     // with w = dt^2/rho0 dp
+    Span<const Position> x;                 // with w = dt^2/rho0 dp
     NeighbourView near;
-    Span<Vec3> moved;                       // holds the push before, then where it brings the particle
-    Span<const Vec3> internal;              // of the push what should not move the liquid as a whole, may be empty
+    Span<Position> moved;                   // holds the push before (vectorIn), then where it brings the particle
+    bool pushIsInternal;                    // all of the push should not move the liquid as a whole, or `order` of it
+    Span<const Vec3> order;
     WallStop stop;
     Span<scalar> pressure;                  // of what has been displaced by: an increase that was only looked at is not in it
-    Span<Vec3> total;
+    Span<Vec3> total;                       // of what is internal; may be empty
     Stress stress;
     Tangential tangential;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
+        const scalar own = numberOf(xi.w);
+        const Vec3 push = vectorIn(moved[i]);
         Team::Vector sum;
         typename Tangential::Sum along;
         const auto ownStress = stress[i];
         near.forEach(i, xi, x, [&]([[maybe_unused]] auto j, auto r)
         {
             const auto slope = W.g(norm(r)) * r;
-            sum += (r.w + xi.w) * slope;
-            along.add(slope, r.w - xi.w);
+            sum += (r.w + own) * slope;
+            along.add(slope, r.w - own);
             if constexpr (Stress::present) sum -= (stress[j] + ownStress) * slope;
         }, team);
         Vec3 step = volume * team.sum(sum), more;
@@ -139,11 +143,11 @@ struct Displace
             more = tangential.more(i, volume * team.sum(along.differences));
             step += more;
         }
-        const Vec3 admitted = stop(i, xi - step - moved[i], team);
+        const Position admitted = stop(i, xi - (step + push), team);
         if (!team.first()) return;
-        if (internal.size > 0) total[i] += internal[i] + more;  // which may be what is moved
+        if (total.size > 0) total[i] += (pushIsInternal ? push : order[i]) + more;
         moved[i] = admitted;
-        pressure[i] = (Stress::present ? 0 : pressure[i]) + xi.w / perPressure;
+        pressure[i] = (Stress::present ? 0 : pressure[i]) + own / perPressure;
     }
 };
 
@@ -207,7 +211,7 @@ public:
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
         ++iterations_;
-        if (coarse_ && iterations_ == 1) coarse_->begin(liquid, surface_);
+        if (coarse_ && iterations_ == 1) coarse_->begin(liquid, walls, surface_);
         if (coarse_ && iterations_ <= (limits_.maxIterations + 1) / 2) coarse_->apply(liquid);
         if (alongSurfaces_) displaceFirstOrOther(liquid, near, walls, tangential());
         else displaceFirstOrOther(liquid, near, walls, NoTangentialGradient{});
@@ -258,7 +262,7 @@ private:
                 {
                     W, V, V / liquid.latticeSum(), ordering_, controls_.relaxation, controls_.epsilon,
                     dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
-                    {extended_->view(), W.h, walls.view()}, surface_.view(), {plane_.span(), W.h},
+                    {extended_->view(), W.h, walls.view(liquid)}, surface_.view(), {plane_.span(), W.h},
                     pressure_.span(), liquid.density.span(), push_.span(), order_.span(), stress, tangential
                 });
             },
@@ -288,7 +292,7 @@ private:
                 forEachTeam(liquid.owned(), Displace<Kernel, Stress, Tangential>
                 {
                     W, liquid.particleVolume(), dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
-                    push_.span(), internal(), walls.stop(liquid), pressure_.span(), total_.span(), stress, tangential
+                    push_.span(), oneAngle_, order_.span(), walls.stop(liquid), pressure_.span(), total_.span(), stress, tangential
                 });
             },
             liquid.kernel()
@@ -302,12 +306,6 @@ private:
     }
 
     TangentialGradient tangential() { return {normals_.span(), wallNormals_.span()}; }
-
-    Span<const Vec3> internal() const
-    {
-        if (total_.size() == 0) return {};
-        return oneAngle_ ? push_.span() : order_.span();
-    }
 
     PressureControls controls_;
     scalar ordering_;
@@ -323,7 +321,8 @@ private:
     bool alongSurfaces_ = false;
     Buffer<Vec3> stress_;                   // of the first iteration
     Buffer<Vec3> normals_, wallNormals_;    // of surface and walls, with alongSurfaces
-    Buffer<Vec3> push_, order_, total_;     // empty: order_ with one contact angle, both where walls hold in all directions
+    Buffer<Position> push_;                 // shares its memory with the predicted positions to come
+    Buffer<Vec3> order_, total_;            // empty: order_ with one contact angle, both where walls hold in all directions
     SteadyIterations steady_;
     std::optional<CoarseCorrection> coarse_;
 };

@@ -34,16 +34,16 @@ struct Multiplier
     scalar volume, densityVolume;       // V, V/S
     scalar epsilon;
     bool selfGradient, unilateral;
-    Span<const Vec3> x;
+    Span<const Position> x;
     NeighbourView near;
     WallView walls;
     Span<scalar> density, multiplier;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
         ConstraintSums sums = constraintSums(W, volume, i, x, near);
-        const auto wall = walls.surfaces.density(xi);
+        const auto wall = walls.ofSurfaces(i, xi);
         scalar solid = wall.value;
         sums.squares += squared(wall.gradient);
         sums.gradient += wall.gradient;
@@ -68,17 +68,17 @@ struct Correction
 {
     Kernel W;
     scalar volume, relaxation;
-    Span<const Vec3> x;
+    Span<const Position> x;
     NeighbourView near;
     WallView walls;
     Span<const scalar> multiplier;
-    Span<Vec3> corrected;
+    Span<Position> corrected;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
         const scalar si = multiplier[i];
-        Vec3 step = si * walls.surfaces.density(xi).gradient;
+        Vec3 step = si * walls.ofSurfaces(i, xi).gradient;
         near.forEach(i, [&](int j)
         {
             const Vec3 r = xi - x[j];
@@ -123,7 +123,7 @@ public:
                 forEach(liquid.owned(), Multiplier<Kernel>
                 {
                     W, V, V / liquid.latticeSum(), controls_.epsilon, selfGradient_, unilateral_,
-                    liquid.predicted.span(), near.view(), walls.view(), liquid.density.span(), multiplier_.span()
+                    liquid.predicted.span(), near.view(), walls.view(liquid), liquid.density.span(), multiplier_.span()
                 });
             },
             liquid.kernel()
@@ -141,7 +141,7 @@ public:
             {
                 forEach(liquid.owned(), Correction<Kernel>
                 {
-                    W, liquid.particleVolume(), controls_.relaxation, liquid.predicted.span(), near.view(), walls.view(),
+                    W, liquid.particleVolume(), controls_.relaxation, liquid.predicted.span(), near.view(), walls.view(liquid),
                     multiplier_.span(), corrected_.span()
                 });
             },
@@ -174,7 +174,7 @@ private:
     Buffer<scalar>& multiplier_;
     scalar dt_ = 0;
     Buffer<scalar>* pressure_ = nullptr;        // where somebody asks for it
-    Buffer<Vec3> corrected_;
+    Buffer<Position> corrected_;
     AverageCompression compression_;
 };
 

@@ -35,14 +35,14 @@ struct ColourForce
 {
     Poly6 W;
     scalar volume, sigma, restDensity, least;       // least: of |n|
-    Span<const Vec3> x;
+    Span<const Position> x;
     Span<const scalar> density;
     NeighbourView near;
     Span<Vec3> acceleration;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
         const scalar perSquare = 1 / (W.h * W.h);
         scalar laplacian = volume / density[i] * W.laplacian(0);
         Vec3 n;

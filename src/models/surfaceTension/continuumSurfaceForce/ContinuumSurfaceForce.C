@@ -51,13 +51,13 @@ struct Force
     Span<const Vec3> normal;                        // with w = b
     Span<const scalar> curvature;
     Span<Vec3> gradient;                            // with w = the lowest pressure
-    scalar factor;
-    Span<Vec3> target;                              // gets factor times the acceleration
+    ForceTarget target;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const int k = int(surface.place[i]);
-        const Vec3 xi = surface.position[k], mi = normal[k];
+        const Position xi = surface.position[k];
+        const Vec3 mi = normal[k];
         if (squared(mi) == 0) return;
         const scalar own = curvature[k], ownWeight = W.W(0) * mi.w;
         scalar weight = 0, sum = 0, spread = 0;
@@ -82,7 +82,7 @@ struct Force
         const Vec3 g = spread > 0 ? 2 / spread * slope : Vec3{};
         const Vec3 acceleration = 1 / restDensity * (2 * jump / layer.sum(kappa) * mi.w * G
                                                      - along * sigma * layer.deeper(norm(G) / steepest) * g);
-        target[i] += factor * acceleration;
+        target.add(i, acceleration);
     }
 };
 
@@ -98,7 +98,7 @@ private:
     void add
     (
         const Liquid& liquid, const Neighbourhood& near, const Walls&, const CurvatureField& field,
-        scalar factor, Buffer<Vec3>& target
+        ForceTarget target
     ) override
     {
         const WendlandC2 W = surface_.kernel();
@@ -111,7 +111,7 @@ private:
         forEachTeam(surface_.particles(), Force
         {
             W, {sums_.span(), parts_.span(), most}, sigma_, liquid.restDensity(), surface_.steepest(),
-            followed(), near.view(), surface_.view(), field.normal.span(), field.curvature.span(), surface_.gradient(), factor, target.span()
+            followed(), near.view(), surface_.view(), field.normal.span(), field.curvature.span(), surface_.gradient(), target
         });
     }
 

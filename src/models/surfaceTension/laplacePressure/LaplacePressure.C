@@ -57,7 +57,7 @@ struct MeasureOpenSide
     Kernel W;
     scalar volume, densityVolume;           // V, V/S
     scalar spacing, ordering;
-    Span<const Vec3> x;
+    Span<const Position> x;
     NeighbourView near;
     WallCompletion walls;                   // of the density's kernel
     FreeSurfaceView surface;
@@ -71,7 +71,7 @@ struct MeasureOpenSide
         const auto wall = walls(i, x[i], surface.contact[k], team);
         if (!team.first()) return;
         const Vec3 G = surface.gradient[k];
-        const HalfSpaceValues gas = plane(surface.position[k].w);
+        const HalfSpaceValues gas = plane(surface.depth[k]);
         const scalar planar = gas.gradient;
         const scalar density = (densityVolume * liquid.W + wall.value) / (1 - gas.density);
         const scalar atWall = fmin(wall.value / plane(0.5f * spacing).density, 1);
@@ -94,13 +94,13 @@ struct Press
     Span<const scalar> curvature;
     Span<const OpenSide> open;
     Span<Vec3> gradient;                            // with w = the lowest pressure
-    scalar factor;
-    Span<Vec3> target;                              // gets factor times the acceleration
+    ForceTarget target;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const int k = int(surface.place[i]);
-        const Vec3 xi = surface.position[k], mi = normal[k];
+        const Position xi = surface.position[k];
+        const Vec3 mi = normal[k];
         if (squared(mi) == 0) return;
         const scalar own = curvature[k];
         const bool first = team.first();
@@ -131,7 +131,7 @@ struct Press
         gradient[k].w = lowestBehind(jump, G.w);
         const scalar more = fmin(fmax(disorder / fmax(planar, 1e-20f), -farthest), farthest);
         const scalar share = open[k].planar * (jump < 0 ? 1 - more : 1 + more);
-        target[i] += factor / restDensity * 2 * jump * share / norm(G) * G;
+        target.add(i, 2 * jump * share / (restDensity * norm(G)) * G);
     }
 };
 
@@ -151,7 +151,7 @@ private:
     void add
     (
         const Liquid& liquid, const Neighbourhood& near, const Walls& walls, const CurvatureField& field,
-        scalar factor, Buffer<Vec3>& target
+        ForceTarget target
     ) override
     {
         if (!extended_) extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
@@ -165,7 +165,7 @@ private:
                 {
                     W, liquid.particleVolume(), liquid.particleVolume() / liquid.latticeSum(), liquid.spacing(), surface_.ordering(),
                     liquid.predicted.span(), near.view(),
-                    {extended_->view(), W.h, walls.view()}, view, {plane_.span(), W.h}, open.span()
+                    {extended_->view(), W.h, walls.view(liquid)}, view, {plane_.span(), W.h}, open.span()
                 });
             },
             liquid.kernel()
@@ -173,7 +173,7 @@ private:
         forEachTeam(surface_.particles(), Press
         {
             surface_.kernel(), sigma_, liquid.restDensity(), followed(), near.view(), view, field.normal.span(), field.curvature.span(),
-            open.span(), surface_.gradient(), factor, target.span()
+            open.span(), surface_.gradient(), target
         });
     }
 

@@ -17,7 +17,7 @@ struct Normal
     Kernel W;
     scalar volume;
     bool wallShare;
-    Span<const Vec3> x;
+    Span<const Position> x;
     Span<const scalar> density;
     NeighbourView near;
     WallView walls;
@@ -25,7 +25,7 @@ struct Normal
 
     HOST_DEVICE void operator()(int i) const
     {
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
         Vec3 sum;
         near.forEach(i, [&](int j)
         {
@@ -39,9 +39,9 @@ struct Normal
                 const Vec3 r = xi - walls.particles.position[k];
                 sum += (1 + walls.particles.cosTheta[k]) * walls.particles.volume[k] * W.g(norm(r)) * r;
             });
-            walls.surfaces.forEach(xi, [&](const WallSurface& surface, const WallSurface::Place& place, const HalfSpaceValues& values)
+            walls.forEachSurface(i, xi, [&](const WallSurface& surface, const WallSurface::Nearest& nearest, const HalfSpaceValues& values)
             {
-                sum -= (1 + surface.cosTheta) * values.gradient * place.normal;
+                sum -= (1 + surface.cosTheta) * values.gradient * nearest.normal;
             });
         }
         normal[i] = W.h * sum;
@@ -52,14 +52,16 @@ struct PairForce
 {
     CohesionSpline C;
     scalar cohesion, area;              // gamma m, gamma rho_A
-    Span<const Vec3> x, normal;
+    Span<const Position> x;
+    Span<const Vec3> normal;
     Span<const scalar> density;
     NeighbourView near;
     Span<Vec3> acceleration;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const Vec3 xi = x[i], ni = normal[i];
+        const Position xi = x[i];
+        const Vec3 ni = normal[i];
         const scalar densityI = density[i];
         Vec3 sum;
         near.forEach(i, [&](int j)
@@ -116,7 +118,7 @@ void PairTension::apply(Liquid& liquid, const Neighbourhood& near, const Walls& 
             forEach(liquid.owned(), Normal<Kernel>
             {
                 W, liquid.particleVolume(), wallNormals_ == WallNormals::yes, liquid.predicted.span(),
-                density_.span(), near.view(), walls.view(), normal_.span()
+                density_.span(), near.view(), walls.view(liquid), normal_.span()
             });
         },
         liquid.kernel()

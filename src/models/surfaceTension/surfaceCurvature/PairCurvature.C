@@ -51,7 +51,7 @@ struct Curvature
     scalar volume, largest;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                // with w = b
-    SelectedSearch near;                    // among positions with w = depth
+    SelectedSearch near;
     Span<const std::uint32_t> selected;
     ExtendedLiquidView extended;
     WallView walls;
@@ -59,10 +59,11 @@ struct Curvature
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
-        const SurfaceGroup group(places, normal, near);
+        const SurfaceGroup group(places, normal, surface.depth);
         Team::Scalar spreads[Group::most] = {}, weights[Group::most] = {}, depths[Group::most] = {};
-        near.forEach(group.members, [&](auto l) { return normal[l]; }, [&](int p, auto other, auto r)
+        near.forEach(group.members, ReadNormalAndDepth{normal, surface.depth}, [&](int p, auto there, auto r)
         {
+            const auto other = there.normal;
             const auto same = onSameSurface(group.normal[p], other);
             if (noneOf(same)) return;
             const auto mean = group.normal[p] + other;
@@ -71,7 +72,7 @@ struct Curvature
             const auto along = same ? slope * (squared(r) - up * up / squared(mean)) : 0;
             spreads[p] -= slope * dot(r, other - group.normal[p]);
             weights[p] += along;
-            depths[p] += along * 0.5f * (group.depth[p] + r.w);
+            depths[p] += along * 0.5f * (group.depth[p] + there.depth);
         }, team);
         const scalar spread = team.sums(spreads), weight = team.sums(weights), depth = team.sums(depths);
         if (!group.has(team.lane)) return;
@@ -84,8 +85,9 @@ private:
     HOST_DEVICE void addWalls(int k, scalar spread, scalar weight, scalar depth) const
     {
         const int i = int(selected[k]);
-        const Vec3 xi = near.points[k], mi = normal[k];
-        const scalar own = xi.w;
+        const Position xi = near.points[k];
+        const Vec3 mi = normal[k];
+        const scalar own = surface.depth[k];
         const ContactLine line = surface.contact[k];
         walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
         {
@@ -124,7 +126,7 @@ CurvatureField PairCurvature::operator()(const Liquid& liquid, const Neighbourho
     forEachGroup(surface_.particles(), Curvature
     {
         W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), among,
-        surface_.particles().indices.span(), extended_->view(), walls.view(), field.curvature.span()
+        surface_.particles().indices.span(), extended_->view(), walls.view(liquid), field.curvature.span()
     });
     return field;
 }

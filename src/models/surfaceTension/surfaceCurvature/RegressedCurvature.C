@@ -104,7 +104,7 @@ struct Regress
     scalar volume, largest;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                // with w = beta
-    SelectedSearch near;                    // among positions with w = depth
+    SelectedSearch near;
     Span<const std::uint32_t> selected;
     ExtendedLiquidView extended;
     WallView walls;
@@ -112,18 +112,19 @@ struct Regress
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
-        const SurfaceGroup group(places, normal, near);
+        const SurfaceGroup group(places, normal, surface.depth);
         TangentPlane plane[Group::most];
         LineSums<Team::Scalar> sums[Group::most];
         #pragma unroll
         for (int p = 0; p < Group::most; ++p) plane[p] = TangentPlane(group.normal[p]);
-        near.forEach(group.members, [&](auto l) { return normal[l]; }, [&](int p, auto other, auto r)
+        near.forEach(group.members, ReadNormalAndDepth{normal, surface.depth}, [&](int p, auto there, auto r)
         {
+            const auto other = there.normal;
             const auto same = onSameSurface(group.normal[p], other);
             if (noneOf(same)) return;
             const auto mean = group.normal[p] + other;
             const auto across = same ? dot(r, mean) / squared(mean) : 0;
-            sums[p].add(same ? volume * other.w * W.W(norm(r)) : 0, plane[p], across * mean - r, other, 0.5f * (group.depth[p] + r.w));
+            sums[p].add(same ? volume * other.w * W.W(norm(r)) : 0, plane[p], across * mean - r, other, 0.5f * (group.depth[p] + there.depth));
         }, team);
         LineSums<scalar> all;
         #pragma unroll
@@ -142,9 +143,10 @@ private:
     HOST_DEVICE void finish(int k, LineSums<scalar> sums) const
     {
         const int i = int(selected[k]);
-        const Vec3 xi = near.points[k], mi = normal[k];
+        const Position xi = near.points[k];
+        const Vec3 mi = normal[k];
         const TangentPlane plane(mi);
-        sums.add(volume * mi.w * W.W(0), plane, Vec3{}, mi, xi.w);
+        sums.add(volume * mi.w * W.W(0), plane, Vec3{}, mi, surface.depth[k]);
         const ContactLine line = surface.contact[k];
         walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
         {
@@ -154,7 +156,7 @@ private:
             const scalar inclined = cosine > 0 ? fmax(sine, dot(mi, line.tangent)) : sine;
             const Vec3 r = -fmax(fromContactLine(wall.distance, line, inclined), 0) * alongFromLine(wall, line);
             const Vec3 t = r - dot(r, mean) / fmax(squared(mean), 1e-6f) * mean;
-            sums.add(extended(line.theta, wall.distance / W.h, line.depth / W.h).value, plane, t, m, xi.w);
+            sums.add(extended(line.theta, wall.distance / W.h, line.depth / W.h).value, plane, t, m, surface.depth[k]);
         });
         constexpr scalar leastVariance = 1e-4f;         // in supports squared
         const scalar kappa = fmin(fmax(traceOfLine(sums, leastVariance * W.h * W.h), -largest), largest);
@@ -178,11 +180,11 @@ CurvatureField RegressedCurvature::operator()(const Liquid& liquid, const Neighb
     const int room = surface_.particles().indices.size();
     CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
     const FreeSurfaceView view = surface_.view();
-    forEach(surface_.particles(), OutwardNormal{surface_.plane(), surface_.steepest(), view, walls.view(), field.normal.span()});
+    forEach(surface_.particles(), OutwardNormal{surface_.plane(), surface_.steepest(), view, walls.view(liquid), field.normal.span()});
     forEachGroup(surface_.particles(), Regress
     {
         W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), near.wide(surface_.particles(), surface_.position()),
-        surface_.particles().indices.span(), extended_->view(), walls.view(), field.curvature.span()
+        surface_.particles().indices.span(), extended_->view(), walls.view(liquid), field.curvature.span()
     });
     return field;
 }

@@ -28,7 +28,8 @@ struct Smooth
 {
     Kernel W;
     scalar c, volume;
-    Span<const Vec3> x, velocity;
+    Span<const Position> x;
+    Span<const Vec3> velocity;
     NeighbourView near;
     bool noSlip;
     scalar slipAbove;
@@ -37,7 +38,8 @@ struct Smooth
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const Vec3 xi = x[i], ui = velocity[i];
+        const Position xi = x[i];
+        const Vec3 ui = velocity[i];
         Team::Vector sum;
         near.forEach(i, xi, x, [&](auto j, auto r) { sum += W.W(norm(r)) * (velocity[j] - ui); }, team);
         Vec3 change = volume * team.sum(sum);
@@ -80,7 +82,7 @@ public:
                 forEachTeam(liquid.owned(), Smooth<Kernel>
                 {
                     W, share(dt), liquid.particleVolume(), liquid.position.span(), liquid.velocity.span(), near.view(), noSlip_,
-                    slipAbove_, walls.view(), smoothed.span()
+                    slipAbove_, walls.view(liquid), smoothed.span()
                 });
             },
             liquid.kernel()

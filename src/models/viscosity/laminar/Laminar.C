@@ -23,7 +23,8 @@ struct Diffuse
     Kernel W;
     scalar nuDt, volume;
     bool noSlip;
-    Span<const Vec3> x, velocity;
+    Span<const Position> x;
+    Span<const Vec3> velocity;
     NeighbourView near;
     WallView walls;
     Span<Vec3> diffused;
@@ -32,7 +33,8 @@ struct Diffuse
 
     HOST_DEVICE void operator()(int i) const
     {
-        const Vec3 xi = x[i], ui = velocity[i];
+        const Position xi = x[i];
+        const Vec3 ui = velocity[i];
         Vec3 sum;
         near.forEach(i, [&](int j) { sum += volume * weight(norm(xi - x[j])) * (ui - velocity[j]); });
         if (noSlip)
@@ -41,7 +43,7 @@ struct Diffuse
             {
                 sum += walls.particles.volume[k] * weight(norm(xi - walls.particles.position[k])) * ui;
             });
-            walls.surfaces.forEach(xi, [&](const WallSurface&, const WallSurface::Place&, const HalfSpaceValues& values)
+            walls.forEachSurface(i, xi, [&](const WallSurface&, const WallSurface::Nearest&, const HalfSpaceValues& values)
             {
                 sum -= values.drag * ui;
             });
@@ -69,7 +71,7 @@ public:
                 forEach(liquid.owned(), Diffuse<Kernel>
                 {
                     W, nu_ * dt, liquid.particleVolume(), noSlip_, liquid.position.span(), liquid.velocity.span(),
-                    near.view(), walls.view(), diffused_.span()
+                    near.view(), walls.view(liquid), diffused_.span()
                 });
             },
             liquid.kernel()

@@ -40,13 +40,13 @@ struct Adhesion
     scalar fullBeta;                    // of theta = 0
     scalar beta;                        // the case's number; negative: from fullBeta and theta
     scalar restDensity;
-    Span<const Vec3> x;
+    Span<const Position> x;
     WallParticlesView solid;
     Span<Vec3> acceleration;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
         Vec3 sum;
         solid.near.forEach(i, [&](int k)
         {
@@ -94,7 +94,7 @@ public:
         if (walls.particles() == 0) return;
         forEach(liquid.owned(), Adhesion
         {
-            {liquid.support()}, fullBeta_, beta_, liquid.restDensity(), liquid.predicted.span(), walls.view().particles,
+            {liquid.support()}, fullBeta_, beta_, liquid.restDensity(), liquid.predicted.span(), walls.view(liquid).particles,
             acceleration.span()
         });
     }

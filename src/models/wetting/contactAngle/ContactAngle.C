@@ -31,16 +31,17 @@ struct SolidNormal
     Kernel W;
     scalar volume;
     CellGridView grid;
-    Span<const Vec3> x;
+    Span<const Position> x;
     Span<const scalar> density;
 
-    HOST_DEVICE Vec3 operator()(Vec3 place, Vec3 wallNormal) const
+    HOST_DEVICE Vec3 operator()(Position place, Vec3 wallNormal) const
     {
         if (choice == wall) return wallNormal;
         Vec3 sum;
         if (choice == zero) return sum;
         grid.forEachCandidate(AroundPoint{place, W.h}, [&](int j)
         {
+            if (!isSameImage(place, x[j])) return;
             const Vec3 r = place - x[j];
             sum += volume / density[j] * W.g(norm(r)) * r;
         });
@@ -55,14 +56,16 @@ struct WallPairForce
     PairCoefficients gamma;
     scalar restDensity, spacing;
     SolidNormal<Kernel> solidNormal;
-    Span<const Vec3> x, normal;
+    Span<const Position> x;
+    Span<const Vec3> normal;
     Span<const scalar> density;
     WallView walls;
     Span<Vec3> acceleration;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const Vec3 xi = x[i], ni = normal[i];
+        const Position xi = x[i];
+        const Vec3 ni = normal[i];
         const auto& solid = walls.particles;
         Vec3 sum;
         solid.near.forEach(i, [&](int k)
@@ -75,13 +78,13 @@ struct WallPairForce
             }
             sum -= share * gamma.area * (ni - solidNormal(solid.position[k], solid.normal[k]));
         });
-        walls.surfaces.forEach(xi, [&](const WallSurface& surface, const WallSurface::Place& place, const HalfSpaceValues& values)
+        walls.forEachSurface(i, xi, [&](const WallSurface& surface, const WallSurface::Nearest& nearest, const HalfSpaceValues& values)
         {
             const scalar share = 0.5f * (1 + surface.cosTheta);
-            const scalar depth = place.distance + 0.5f * spacing;
+            const scalar depth = nearest.distance + 0.5f * spacing;
             const scalar layer = kernels::pi * fmax(C.h * C.h - depth * depth, 0) / (spacing * spacing);
-            sum -= share * gamma.cohesion * restDensity * values.cohesion * place.normal;
-            sum -= share * gamma.area * layer * (ni - solidNormal(xi - depth * place.normal, place.normal));
+            sum -= share * gamma.cohesion * restDensity * values.cohesion * nearest.normal;
+            sum -= share * gamma.area * layer * (ni - solidNormal(withBlock(xi, xi - depth * nearest.normal), nearest.normal));
         });
         acceleration[i] += 2 / (density[i] + 1) * sum;
     }
@@ -118,7 +121,7 @@ public:
                         choice, W, liquid.particleVolume(), near.grid().view(), liquid.predicted.span(),
                         density_.span()
                     },
-                    liquid.predicted.span(), normal_.span(), density_.span(), walls.view(), acceleration.span()
+                    liquid.predicted.span(), normal_.span(), density_.span(), walls.view(liquid), acceleration.span()
                 });
             },
             liquid.kernel()

@@ -72,8 +72,8 @@ TEST(Density, AddsTheSharesOfWalls)
         for (const Vec3& p : latticeBlock(5, 5, 5, 1, {-2, -2, -2})) sum += W.W(norm(p));
         return sum;
     }();
-    const auto near = download(drop.walls.view().particles.volume);
-    const auto position = download(drop.walls.view().particles.position);
+    const auto near = download(drop.walls.view(drop.liquid).particles.volume);
+    const auto position = download(drop.walls.view(drop.liquid).particles.position);
     const scalar d = drop.liquid.spacing();
     for (std::size_t i = 0; i < points.size(); ++i)
     {

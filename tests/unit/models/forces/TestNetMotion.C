@@ -21,7 +21,7 @@ struct Motion
 
 Motion motionOf(const LiquidCase& drop)
 {
-    const auto x = drop.liquid.position.download(), u = drop.liquid.velocity.download();
+    const auto x = vectors(drop.liquid.position), u = drop.liquid.velocity.download();
     const auto wide = [](Vec3 v) { return Vector3(v.x, v.y, v.z); };
     Vector3 centroid, mean, turn;
     const double n = double(x.size());

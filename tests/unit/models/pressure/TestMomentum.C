@@ -17,7 +17,7 @@ TEST(Pressure, ConservesMomentumWithoutWalls)
         auto points = latticeBlock(8, 8, 8, 0.92f);
         disorder(points, 0.1f, random);
         drop.place(points, randomPoints(512, {-1, -1, -1}, {1, 1, 1}, 2));
-        const auto sums = [&](const Buffer<Vec3>& field, const std::vector<Vec3>& before)
+        const auto sums = [&](const auto& field, const std::vector<Vec3>& before)
         {
             const VectorSum steps = sumOfSteps(before, drop.inOrder(field));
             // Values of up to eight units are rounded to 5e-7: 512 of them leave about 1e-5, several iterations more.

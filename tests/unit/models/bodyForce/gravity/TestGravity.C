@@ -20,15 +20,17 @@ TEST(Gravity, AddsItsVelocityToWhatPositionsArePredictedBy)
 
     const Units& units = drop.liquid.units();
     drop.place({{0, 0, 0}, {5, 0, 0}}, {{0, 0, 0}, {1, 1, 1}});
-    const scalar dt = units.toScaled(3e-4, dimensions::time);
+    constexpr double step = 3e-4;
+    const scalar dt = units.toScaled(step, dimensions::time);
     model->predict(drop.liquid, dt);
     const auto predicted = drop.inOrder(drop.liquid.predicted), velocity = drop.inOrder(drop.liquid.velocity);
     const auto si = [&](scalar v) { return units.toSI(v, dimensions::velocity); };
-    // Four roundings of single precision, of the change or of what it is added to.
-    EXPECT_NEAR(si(predicted[0].x / dt), 3e-4, 1e-9);
-    EXPECT_NEAR(si(predicted[0].y / dt), -6e-4, 1e-9);
-    EXPECT_NEAR(si(predicted[0].z / dt), -9.81 * 3e-4, 1e-9);
-    EXPECT_NEAR(si(predicted[1].z / dt) - si(1), -9.81 * 3e-4, 5e-7 * si(1));
+    // Places are rounded to half a quantum, and velocities of one unit to 6e-8.
+    const double half = 0.5 * units.toSI(quanta::each, dimensions::length) / step, single = 5e-7 * si(1);
+    EXPECT_NEAR(si(predicted[0].x / dt), 3e-4, half);
+    EXPECT_NEAR(si(predicted[0].y / dt), -6e-4, half);
+    EXPECT_NEAR(si(predicted[0].z / dt), -9.81 * 3e-4, half);
+    EXPECT_NEAR(si(predicted[1].z / dt) - si(1), -9.81 * 3e-4, half + single);
     EXPECT_EQ(velocity[0].z, 0);
     EXPECT_EQ(velocity[1].z, 1);
 }

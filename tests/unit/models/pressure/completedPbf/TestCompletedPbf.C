@@ -128,7 +128,7 @@ TEST(CompletedPbf, ExpandsACompressedBlockToRestDensity)
     EXPECT_LT(averageOf(density, compression), 1e-3);
     EXPECT_LT(averageOf(density, deviation), 0.015);
     double moment = 0, lattice = 0;
-    for (const Vec3& x : drop.liquid.predicted.download()) moment += squared((1 / drop.liquid.spacing()) * x);
+    for (const Vec3& x : vectors(drop.liquid.predicted)) moment += squared((1 / drop.liquid.spacing()) * x);
     for (const Vec3& x : points) lattice += squared((1 / 0.94f) * x);
     EXPECT_NEAR(std::sqrt(moment / lattice), 1, 0.01);
 }
@@ -316,14 +316,14 @@ TEST(CompletedPbf, LeavesTheCentroidOfFreeLiquid)
     auto points = latticeBlock(8, 8, 8, 0.97f);
     disorder(points, 0.15f, random);
     drop.place(points);
-    const auto before = drop.liquid.position.download();
+    const auto before = vectors(drop.liquid.position);
     iterate(*pressure, drop, 0.5f);
     updateVelocities(drop.liquid, 0.5f);
-    const VectorSum ordered = sumOfSteps(before, drop.liquid.position.download());
+    const VectorSum ordered = sumOfSteps(before, vectors(drop.liquid.position));
     EXPECT_GT(ordered.sizes, 5);
     EXPECT_GT(std::abs(ordered.components[0]), 0.01);
     NetMotion().takeBack(drop.liquid, pressure->takeDisplacement(), {}, drop.walls, drop.surface.support(), 0.5f);
-    const VectorSum steps = sumOfSteps(before, drop.liquid.position.download());
+    const VectorSum steps = sumOfSteps(before, vectors(drop.liquid.position));
     const VectorSum speeds = sumOfSteps(std::vector<Vec3>(points.size()), drop.liquid.velocity.download());
     for (const double component : steps.components) EXPECT_NEAR(component, 0, 1e-4);
     for (const double component : speeds.components) EXPECT_NEAR(0.5 * component, 0, 1e-4);
@@ -386,13 +386,13 @@ TEST(CompletedPbf, BeginsEachStepWithoutPressure)
     {
         pressure->begin(0.02f);
         ASSERT_TRUE(pressure->violated(drop.liquid, drop.near, drop.walls));
-        const auto moved = drop.liquid.predicted.download();
+        const auto moved = vectors(drop.liquid.predicted);
         pressure->correct(drop.liquid, drop.near, drop.walls);
         const auto p = pressure->keepPressure()->download();
         EXPECT_GT(*std::max_element(p.begin(), p.end()), 0);
         if (step == 0) first = p;
         EXPECT_EQ(p, first);
-        drop.liquid.predicted.upload(moved);
+        drop.liquid.predicted.upload(placed(moved));
     }
 }
 

@@ -22,11 +22,11 @@ TEST(OrderStress, IsTakenOutOfThePressure)
     auto points = latticeBlock(13, 13, 13, 0.97f);
     disorder(points, 0.1f, random);
     drop.place(points);
-    const auto placed = drop.liquid.predicted.download();
+    const auto start = drop.liquid.predicted.download();
     std::vector<scalar> p;
     for (int step = 0; step < 2; ++step)
     {
-        drop.liquid.predicted.upload(placed);
+        drop.liquid.predicted.upload(start);
         pressure->begin(dt);
         ASSERT_TRUE(pressure->violated(drop.liquid, drop.near, drop.walls));
         pressure->correct(drop.liquid, drop.near, drop.walls);
@@ -97,7 +97,7 @@ struct StoreDeviator
 {
     CubicSpline W;
     scalar volume;
-    Span<const Vec3> x;
+    Span<const Position> x;
     NeighbourView near;
     WallCompletion walls;
     FreeSurfaceView surface;
@@ -125,7 +125,7 @@ std::vector<SymmTensor<Vec3>> deviators(const LiquidCase& drop, scalar layer)
     Buffer<Vec3> ofParticle(liquid.owned());
     forEachTeam(liquid.owned(), StoreDeviator
     {
-        W, liquid.particleVolume(), liquid.predicted.span(), drop.near.view(), {extended.view(), W.h, drop.walls.view()},
+        W, liquid.particleVolume(), liquid.predicted.span(), drop.near.view(), {extended.view(), W.h, drop.walls.view(drop.liquid)},
         drop.surface.view(), {plane.span(), W.h}, {1, layer * liquid.spacing(), ofParticle.span()}
     });
     std::vector<SymmTensor<Vec3>> result;
@@ -161,12 +161,12 @@ constexpr scalar halfWidth = 9;
 
 // A cubic lattice on the side of the plane through the origin to which the normal n = (0.6 0 0.8) points, and its mirror image on
 // the other side; lengths in spacings.
-Vec3 placed(Vec3 p) { return p.x * Vec3{0.8f, 0, -0.6f} + p.y * Vec3{0, 1, 0} + p.z * Vec3{0.6f, 0, 0.8f}; }
+Vec3 turned(Vec3 p) { return p.x * Vec3{0.8f, 0, -0.6f} + p.y * Vec3{0, 1, 0} + p.z * Vec3{0.6f, 0, 0.8f}; }
 
 std::vector<Vec3> halfSpace(scalar side)
 {
     std::vector<Vec3> points = latticeBlock(19, 19, 18, 1, {-halfWidth, -halfWidth, side > 0 ? 0.5f : -17.5f});
-    for (Vec3& p : points) p = placed(p);
+    for (Vec3& p : points) p = turned(p);
     return points;
 }
 
@@ -217,8 +217,8 @@ TEST(OrderStress, VanishesNextToPlanesOfALattice)
             (
                 std::abs(deeper.completion - missing.completion), std::abs(higher.completion - missing.completion)
             );
-            const double surface = alongNormal(atSurface, below, placed({0, 0, -scalar(s)}));
-            const double wall = alongNormal(atWall, above, placed({0, 0, scalar(s)}));
+            const double surface = alongNormal(atSurface, below, turned({0, 0, -scalar(s)}));
+            const double wall = alongNormal(atWall, above, turned({0, 0, scalar(s)}));
             EXPECT_NEAR(surface, left, depth + 1e-4) << support << " " << s;
             EXPECT_NEAR(wall, left, 1e-4) << support << " " << s;
             // Without completion -missing.lattice were there.
@@ -227,8 +227,8 @@ TEST(OrderStress, VanishesNextToPlanesOfALattice)
             EXPECT_LT(std::abs(surface), missing.lattice / 2) << support << " " << s;
         }
         // Deep inside nothing is missing.
-        EXPECT_NEAR(alongNormal(atSurface, below, placed({0, 0, -8.5f})), 0, 1e-4);
-        EXPECT_NEAR(alongNormal(atWall, above, placed({0, 0, 8.5f})), 0, 1e-4);
+        EXPECT_NEAR(alongNormal(atSurface, below, turned({0, 0, -8.5f})), 0, 1e-4);
+        EXPECT_NEAR(alongNormal(atWall, above, turned({0, 0, 8.5f})), 0, 1e-4);
     }
 }
 
@@ -242,7 +242,7 @@ TEST(OrderStress, StaysInTheOutermostLayers)
     const auto all = deviators(open, -1e3f), taken = deviators(open, 0.5f);
     for (const scalar s : {0.5f, 1.5f, 2.5f})
     {
-        const Vec3 place = placed({0, 0, -s});
+        const Vec3 place = turned({0, 0, -s});
         // FreeSurface.H tells the depth within 0.15 spacings of its lattice.
         EXPECT_NEAR(alongNormal(taken, points, place) / alongNormal(all, points, place), (s - 0.5) / 3.5, 0.15 / 3.5) << s;
     }

@@ -14,7 +14,7 @@ TEST(Becker2007, IsTheKernelTimesTheDistance)
         for (const double r : {0.1, 0.7, 1.0, 1.5, 1.9})
         {
             const double expected = 3e-6 * 1e-6 * W.W(1e-3 * r) * 1e-3 * r;
-            EXPECT_NEAR(attraction(drop, *tension, r), expected, 1e-5 * expected) << r;
+            EXPECT_NEAR(attraction(drop, *tension, r), expected, 2e-5 * expected) << r;       // r is rounded by 1e-6, near the support of 2 that is 1e-5 of W
         }
         EXPECT_EQ(attraction(drop, *tension, 2.01), 0);
     }
