@@ -75,7 +75,6 @@ struct Reconstruct
     Span<const std::uint32_t> place;
     Span<Vec3> gradient;
     Span<Position> position;
-    Span<scalar> depth;
     Span<ContactLine> contact;
 
     HOST_DEVICE void operator()(int i, Team team) const
@@ -92,8 +91,7 @@ struct Reconstruct
         G += wall.gradient;
         contact[k] = line;
         gradient[k] = {G.x, G.y, G.z, -suction};
-        position[k] = xi;
-        depth[k] = depthOf(norm(G) / colour * completion.h);
+        position[k] = {xi.x, xi.y, xi.z, wordOf(depthOf(norm(G) / colour * completion.h))};
     }
 
 private:
@@ -167,12 +165,10 @@ void FreeSurface::makeRoom()
     room_ = found_ + found_ / 8;
     gradient_.discard();
     position_.discard();
-    depth_.discard();
     contact_.discard();
     device::dropKeptMemory();               // of as many as there were: nobody asks for it again
     gradient_.resize(room_);
     position_.resize(room_);
-    depth_.resize(room_);
     contact_.resize(room_);
 }
 
@@ -199,7 +195,7 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
     forEachTeam(particles_, Reconstruct
     {
         liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view(liquid)}, plane(), steepest_},
-        depthOfRatio_.span(), largestRatio_, suction_, place, gradient_.span(), position_.span(), depth_.span(), contact_.span()
+        depthOfRatio_.span(), largestRatio_, suction_, place, gradient_.span(), position_.span(), contact_.span()
     });
 }
 

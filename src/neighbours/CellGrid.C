@@ -18,13 +18,32 @@ struct CountInCells
 {
     CellGridView grid;
     Span<const Position> positions, start;
-    Span<std::uint32_t> keys, places, count;
+    Span<std::uint32_t> keys, places, count, wide;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const std::uint32_t key = grid.key(start.size > 0 ? withBlock(start[i], positions[i]) : positions[i]);
+        const Position p = at(i);
+        if (quanta::single && isFar(p, at(0))) wide[0] = 1;
+        const std::uint32_t key = grid.key(p);
         keys[i] = key;
         places[i] = increment(count[int(key)]);
+    }
+
+private:
+    HOST_DEVICE Position at(int i) const { return start.size > 0 ? withBlock(start[i], positions[i]) : positions[i]; }
+
+    // Whether their quarters of blocks are not the same or next to each other: while all are near one of them, all lie within three quarters.
+    HOST_DEVICE static bool isFar(Position a, Position b)
+    {
+        const Place p = placeOf(a), q = placeOf(b);
+        return isFar(p.x, q.x) || isFar(p.y, q.y) || isFar(p.z, q.z);
+    }
+
+    HOST_DEVICE static bool isFar(std::int64_t a, std::int64_t b)
+    {
+        constexpr int quarter = quanta::lowBits - 2;
+        const std::int64_t apart = (a >> quarter) - (b >> quarter);
+        return apart > 1 || apart < -1;
     }
 };
 
@@ -107,7 +126,7 @@ CellGridView CellGrid::view() const
     return
     {
         cellSize, perCell, device::cellsInWidth * perCell, width_, perWidth, before * width_, int(before), bitsX_, bitsY_, bitsZ_,
-        start_.span()
+        start_.span(), wide_.span().data
     };
 }
 
@@ -118,11 +137,12 @@ Buffer<std::uint32_t> CellGrid::build
 {
     chooseSize(n);
     start_.setZero();
+    wide_.setZero();
     Buffer<WordsOfPoint> words(n);
     std::uint32_t* const first = reinterpret_cast<std::uint32_t*>(words.span().data);
     const auto part = [&](std::size_t k) { return Span<std::uint32_t>{first + k * n, n}; };
     const Span<std::uint32_t> keys = part(0), places = part(1), points = part(2);
-    forEach(n, CountInCells{view(), positions, start, keys, places, start_.span()});
+    forEach(n, CountInCells{view(), positions, start, keys, places, start_.span(), wide_.span()});
     sumBefore(start_);
     forEach(n, PutInCells{keys, places, start_.span(), points});
     Buffer<std::uint32_t> order(n);

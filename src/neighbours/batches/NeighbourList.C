@@ -25,10 +25,12 @@ struct Search
         const Position p = points[i];
         const scalar support2 = support * support;
         const int self = sameSet ? i : -1;
+        const SameImage isSame{!sameSet || grid.looksAtImages()};
         forEachBatch(grid, AroundPoint{p, support}, [&](auto j, int end)
         {
-            Vec3s r;
-            visit(j, areWithin(p, sources[j], support2, r) & (j < end) & (j != self));
+            const Positions x = sources[j];
+            const Ints isNear = areNear(p, x) & (squared(nearDifference(p, x)) < support2) & (j < end) & (j != self);
+            visit(j, noneOf(isNear) ? isNear : sameAmong(isNear, p, sources, j, isSame));
         });
     }
 };

@@ -27,13 +27,14 @@ struct Search
         const Position p = points[i];
         const scalar support2 = support * support;
         const int self = sameSet ? i : -1;
+        const SameImage isSame{!sameSet || grid.looksAtImages()};
         grid.forEachRange(AroundPoint{p, support}, [&](int first, int end)
         {
             const auto range = look(first, end);
             for (int j = first; j < end; ++j)
             {
                 const Position source = sources[j];
-                if (squared(p - source) < support2 && j != self && isSameImage(p, source)) visit(j, range);
+                if (squared(nearDifference(p, source)) < support2 && j != self && isSame(p, source, j)) visit(j, range);
             }
         });
     }
@@ -48,7 +49,7 @@ struct Search
         for (int p = 0; p < Group::most; ++p) at[p] = points[group[p]];
         const scalar support2 = support * support;
         const int self = sameSet ? group.first : -Group::most;
-        searchTogether(grid, at, sources, group.members(), support, [&](int j, bool counts, Vec3 there, const auto& x, const auto& y, const auto& z)
+        searchTogether(grid, at, sources, SameImage{!sameSet || grid.looksAtImages()}, group.members(), support, [&](int j, bool counts, Vec3 there, const auto& x, const auto& y, const auto& z)
         {
             #pragma unroll
             for (int p = 0; p < Group::most; ++p)

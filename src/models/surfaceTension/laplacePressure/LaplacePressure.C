@@ -71,7 +71,7 @@ struct MeasureOpenSide
         const auto wall = walls(i, x[i], surface.contact[k], team);
         if (!team.first()) return;
         const Vec3 G = surface.gradient[k];
-        const HalfSpaceValues gas = plane(surface.depth[k]);
+        const HalfSpaceValues gas = plane(surface.depthOf(k));
         const scalar planar = gas.gradient;
         const scalar density = (densityVolume * liquid.W + wall.value) / (1 - gas.density);
         const scalar atWall = fmin(wall.value / plane(0.5f * spacing).density, 1);

@@ -51,7 +51,7 @@ struct Curvature
     scalar volume, largest;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                // with w = b
-    SelectedSearch near;
+    SelectedSearch near;                    // among positions with w = depth
     Span<const std::uint32_t> selected;
     ExtendedLiquidView extended;
     WallView walls;
@@ -59,11 +59,10 @@ struct Curvature
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
-        const SurfaceGroup group(places, normal, surface.depth);
+        const SurfaceGroup group(places, normal, near);
         Team::Scalar spreads[Group::most] = {}, weights[Group::most] = {}, depths[Group::most] = {};
-        near.forEach(group.members, ReadNormalAndDepth{normal, surface.depth}, [&](int p, auto there, auto r)
+        near.forEach(group.members, [&](auto l) { return normal[l]; }, [&](int p, auto other, auto r)
         {
-            const auto other = there.normal;
             const auto same = onSameSurface(group.normal[p], other);
             if (noneOf(same)) return;
             const auto mean = group.normal[p] + other;
@@ -72,7 +71,7 @@ struct Curvature
             const auto along = same ? slope * (squared(r) - up * up / squared(mean)) : 0;
             spreads[p] -= slope * dot(r, other - group.normal[p]);
             weights[p] += along;
-            depths[p] += along * 0.5f * (group.depth[p] + there.depth);
+            depths[p] += along * 0.5f * (group.depth[p] + r.w);
         }, team);
         const scalar spread = team.sums(spreads), weight = team.sums(weights), depth = team.sums(depths);
         if (!group.has(team.lane)) return;
@@ -87,7 +86,7 @@ private:
         const int i = int(selected[k]);
         const Position xi = near.points[k];
         const Vec3 mi = normal[k];
-        const scalar own = surface.depth[k];
+        const scalar own = surface.depthOf(k);
         const ContactLine line = surface.contact[k];
         walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
         {
@@ -121,7 +120,7 @@ CurvatureField PairCurvature::operator()(const Liquid& liquid, const Neighbourho
     const int room = surface_.particles().indices.size();
     CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
     const FreeSurfaceView view = surface_.view();
-    const SelectedSearch among = near.wide(surface_.particles(), surface_.position());
+    const SelectedSearch among = near.wide(liquid, surface_.particles(), surface_.position());
     forEachGroup(surface_.particles(), SmoothNormal{W, surface_.steepest(), view, among, field.normal.span()});
     forEachGroup(surface_.particles(), Curvature
     {

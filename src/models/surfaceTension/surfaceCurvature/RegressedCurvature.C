@@ -104,7 +104,7 @@ struct Regress
     scalar volume, largest;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                // with w = beta
-    SelectedSearch near;
+    SelectedSearch near;                    // among positions with w = depth
     Span<const std::uint32_t> selected;
     ExtendedLiquidView extended;
     WallView walls;
@@ -112,19 +112,18 @@ struct Regress
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
-        const SurfaceGroup group(places, normal, surface.depth);
+        const SurfaceGroup group(places, normal, near);
         TangentPlane plane[Group::most];
         LineSums<Team::Scalar> sums[Group::most];
         #pragma unroll
         for (int p = 0; p < Group::most; ++p) plane[p] = TangentPlane(group.normal[p]);
-        near.forEach(group.members, ReadNormalAndDepth{normal, surface.depth}, [&](int p, auto there, auto r)
+        near.forEach(group.members, [&](auto l) { return normal[l]; }, [&](int p, auto other, auto r)
         {
-            const auto other = there.normal;
             const auto same = onSameSurface(group.normal[p], other);
             if (noneOf(same)) return;
             const auto mean = group.normal[p] + other;
             const auto across = same ? dot(r, mean) / squared(mean) : 0;
-            sums[p].add(same ? volume * other.w * W.W(norm(r)) : 0, plane[p], across * mean - r, other, 0.5f * (group.depth[p] + there.depth));
+            sums[p].add(same ? volume * other.w * W.W(norm(r)) : 0, plane[p], across * mean - r, other, 0.5f * (group.depth[p] + r.w));
         }, team);
         LineSums<scalar> all;
         #pragma unroll
@@ -146,7 +145,7 @@ private:
         const Position xi = near.points[k];
         const Vec3 mi = normal[k];
         const TangentPlane plane(mi);
-        sums.add(volume * mi.w * W.W(0), plane, Vec3{}, mi, surface.depth[k]);
+        sums.add(volume * mi.w * W.W(0), plane, Vec3{}, mi, surface.depthOf(k));
         const ContactLine line = surface.contact[k];
         walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
         {
@@ -156,7 +155,7 @@ private:
             const scalar inclined = cosine > 0 ? fmax(sine, dot(mi, line.tangent)) : sine;
             const Vec3 r = -fmax(fromContactLine(wall.distance, line, inclined), 0) * alongFromLine(wall, line);
             const Vec3 t = r - dot(r, mean) / fmax(squared(mean), 1e-6f) * mean;
-            sums.add(extended(line.theta, wall.distance / W.h, line.depth / W.h).value, plane, t, m, surface.depth[k]);
+            sums.add(extended(line.theta, wall.distance / W.h, line.depth / W.h).value, plane, t, m, surface.depthOf(k));
         });
         constexpr scalar leastVariance = 1e-4f;         // in supports squared
         const scalar kappa = fmin(fmax(traceOfLine(sums, leastVariance * W.h * W.h), -largest), largest);
@@ -183,7 +182,7 @@ CurvatureField RegressedCurvature::operator()(const Liquid& liquid, const Neighb
     forEach(surface_.particles(), OutwardNormal{surface_.plane(), surface_.steepest(), view, walls.view(liquid), field.normal.span()});
     forEachGroup(surface_.particles(), Regress
     {
-        W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), near.wide(surface_.particles(), surface_.position()),
+        W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), near.wide(liquid, surface_.particles(), surface_.position()),
         surface_.particles().indices.span(), extended_->view(), walls.view(liquid), field.curvature.span()
     });
     return field;
