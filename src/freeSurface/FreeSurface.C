@@ -134,10 +134,17 @@ std::uint32_t leastInside(const Liquid& liquid)
 
 }
 
-void FreeSurface::require(const Liquid& liquid, Walls& walls, scalar support, scalar suction)
+void FreeSurface::requireUsual(const Liquid& liquid)
 {
+    if (active()) return;
+    require(liquid, usualSupport(liquid), 0);
+    isUsual_ = true;
+}
+
+void FreeSurface::require(const Liquid& liquid, scalar support, scalar suction)
+{
+    isUsual_ = false;
     const scalar h = support * liquid.spacing();
-    walls.requireContacts(liquid, h);
     suction_ = suction;
     kernel_.emplace(h);
     const WendlandC2 W = *kernel_;

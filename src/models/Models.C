@@ -33,7 +33,7 @@ void toleratePassiveCoefficients(const Dictionary& models)
 
 }
 
-Models::Models(const std::filesystem::path& casePath, const Dictionary& solution, Liquid& liquid, Walls& walls)
+Models::Models(const std::filesystem::path& casePath, const Dictionary& solution, Liquid& liquid, const Walls& walls)
 :
     dict(Dictionary::read(casePath / "constant/models")),
     freeSurface(std::make_unique<FreeSurface>()),
@@ -45,6 +45,12 @@ Models::Models(const std::filesystem::path& casePath, const Dictionary& solution
 {
     toleratePassiveCoefficients(dict);
     dict.refuseUnused();
+    if (forces.usesContactAngles() && walls.particles() + walls.surfaces() > 0) angles = walls.readAngles();
+}
+
+void Models::takeEffect(const Liquid& liquid, Walls& walls) const
+{
+    walls.use(liquid, {freeSurface->support(), freeSurface->agreed().closest, angles});
 }
 
 }

@@ -5,6 +5,7 @@
 #include "device/ForEach.H"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace shizuku
@@ -90,12 +91,13 @@ std::uint32_t bitsOfSearch(scalar reach, scalar cell, int apart)
     return bits;
 }
 
-// In coarse quanta, as many as can be cut into short cells.
-std::uint64_t widthOf(scalar cellSize)
+// In coarse quanta, as many as can be cut into short cells; no power of two, whose reciprocal would have one bit too many.
+std::uint32_t widthOf(scalar cellSize)
 {
-    constexpr std::uint64_t parts = device::cellsInWidth;
-    const auto least = std::uint64_t(std::ceil(std::ldexp(double(cellSize), quanta::fractionBits - CellGridView::coarseBits)));
-    return (least + parts - 1) / parts * parts;
+    constexpr std::uint32_t parts = device::cellsInWidth;
+    const auto least = std::uint32_t(std::ceil(std::ldexp(double(cellSize), quanta::fractionBits - CellGridView::coarseBits)));
+    const std::uint32_t width = (least + parts - 1) / parts * parts;
+    return std::has_single_bit(width) ? width + parts : width;
 }
 
 }
@@ -120,13 +122,13 @@ void CellGrid::chooseSize(int n)
 
 CellGridView CellGrid::view() const
 {
-    constexpr std::uint64_t farthest = std::uint64_t(1) << 41;
     const scalar cellSize = scalar(std::ldexp(double(width_), CellGridView::coarseBits - quanta::fractionBits)), perCell = 1 / cellSize;
-    const std::uint64_t before = (farthest + width_ - 1) / width_, perWidth = ~std::uint64_t(0) / width_ + 1;
+    const std::uint32_t shifts = std::uint32_t(std::bit_width(width_)) - 1;
+    const auto perWidth = std::uint32_t((std::uint64_t(1) << (32 + shifts)) / width_ + 1);
     return
     {
-        cellSize, perCell, device::cellsInWidth * perCell, width_, perWidth, before * width_, int(before), bitsX_, bitsY_, bitsZ_,
-        start_.span(), wide_.span().data
+        cellSize, perCell, device::cellsInWidth * perCell, width_, perWidth, shifts, bitsX_, bitsY_, bitsZ_, start_.span(),
+        wide_.span().data
     };
 }
 

@@ -50,6 +50,19 @@ FieldRegistry::Entry* FieldRegistry::find(const std::string& name)
     return nullptr;
 }
 
+FieldRegistry::Infos FieldRegistry::infos() const
+{
+    Infos infos;
+    for (const auto& entry : entries_) infos.push_back(entry->info);
+    return infos;
+}
+
+void FieldRegistry::restore(const Infos& infos)
+{
+    entries_.resize(infos.size());
+    for (std::size_t k = 0; k < infos.size(); ++k) entries_[k]->info = infos[k];
+}
+
 void FieldRegistry::resize(int n)
 {
     const int before = size_;

@@ -1,6 +1,9 @@
 #include "particles/ParticleFiles.H"
 
+#include "core/dictionary/Dictionary.H"
+#include "core/fieldFile/AtomicFile.H"
 #include "core/fieldFile/FieldReader.H"
+#include "core/fieldFile/FoamFileHeader.H"
 #include "core/messages/Error.H"
 #include "device/ForEach.H"
 
@@ -66,6 +69,28 @@ void upload(Buffer<T>& values, const FieldReader& reader, const std::filesystem:
     });
 }
 
+std::filesystem::path numbersFile(const std::filesystem::path& timeFolder, const std::string& set)
+{
+    return timeFolder / "uniform" / set;
+}
+
+void readNumbers(ParticleSet& particles, const std::filesystem::path& file)
+{
+    if (!std::filesystem::exists(file)) return;
+    const Dictionary dict = Dictionary::read(file);
+    for (const std::string& name : dict.keys()) particles.setNumber(name, dict.lookup<double>(name));
+}
+
+void writeNumbers(const std::map<std::string, double>& numbers, const std::filesystem::path& file)
+{
+    writeAtomically(file, [&](std::ostream& stream)
+    {
+        writeFoamFileHeader(stream, file, "dictionary");
+        stream.precision(std::numeric_limits<double>::max_digits10);
+        for (const auto& [name, value] : numbers) stream << name << ' ' << value << ";\n";
+    });
+}
+
 struct Number
 {
     Span<std::uint32_t> number;
@@ -109,6 +134,7 @@ void readParticles(ParticleSet& particles, const Units& units, const std::filesy
             forEach(n, Number{std::get<Buffer<std::uint32_t>>(entry->values).span()});
             continue;
         }
+        if (!info.begins && !std::filesystem::exists(file)) continue;
         const auto read = [&](const FieldReader& reader)
         {
             std::visit([&](auto& values) { upload(values, reader, file, n, units.of(info.dimensions)); }, entry->values);
@@ -116,6 +142,7 @@ void readParticles(ParticleSet& particles, const Units& units, const std::filesy
         if (info.name == "positions") read(positions);
         else read(FieldReader(file, typeOf(entry->values), info.dimensions, n));
     }
+    readNumbers(particles, numbersFile(folder.parent_path(), particles.name()));
 }
 
 namespace
@@ -155,6 +182,7 @@ void fill(const HostBuffer<T>& host, double unit, std::size_t first, std::span<d
 void ParticleCopy::take(const ParticleSet& particles, const Units& units)
 {
     name_ = particles.name();
+    numbers_ = particles.numbers();
     spacing_ = particles.ownSpacing();
     count_ = particles.owned();
     std::size_t taken = 0;
@@ -195,6 +223,7 @@ void ParticleCopy::write(const std::filesystem::path& timeFolder, const WriteFor
         const bool places = std::holds_alternative<HostBuffer<Position>>(field.values);
         writeField(timeFolder / name_ / field.info.name, source, places ? format.ofPlaces() : ofScalars);
     }
+    if (!numbers_.empty()) writeNumbers(numbers_, numbersFile(timeFolder, name_));
 }
 
 std::function<void(const std::filesystem::path&)> ParticleWriter::copy

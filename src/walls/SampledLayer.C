@@ -35,8 +35,8 @@ struct VirtualVolume
 
 SampledLayer::SampledLayer(const std::filesystem::path& casePath, const SourceLocation& asked, const Liquid& liquid)
 :
-    position_(solid_.fields().add<Position>({.name = "positions", .dimensions = dimensions::length, .restarted = true})),
-    normal_(solid_.fields().add<Vec3>({.name = "normals", .dimensions = dimensions::none, .restarted = true})),
+    position_(solid_.fields().add<Position>({.name = "positions", .dimensions = dimensions::length, .restarted = true, .begins = true})),
+    normal_(solid_.fields().add<Vec3>({.name = "normals", .dimensions = dimensions::none, .restarted = true, .begins = true})),
     volume_(solid_.fields().add<scalar>({.name = "volume", .dimensions = dimensions::volume}))
 {
     const auto folder = casePath / "constant/solid";
@@ -65,7 +65,7 @@ void SampledLayer::sort(const Liquid& liquid, scalar support, scalar reach)
     const scalar supports = support / liquid.spacing();
     near_.emplace(support, int(1.2f * 3.63f * supports * supports));
     reach_ = reach;
-    const Buffer<std::uint32_t>& order = grid_->build(position_.span(), solid_.all());
+    const Buffer<std::uint32_t>& order = grid_->build(position_.span(), solid_.all(), order_.span());
     solid_.fields().reorder(order);
     std::vector<std::uint32_t> now = order.download();
     const auto before = order_.download();
@@ -87,19 +87,22 @@ void SampledLayer::hold(HeldDirections& held) const
     for (const Vec3& n : normal_.download()) held.hold(n);
 }
 
-void SampledLayer::requirePlanes(const Liquid& liquid, scalar reach)
+void SampledLayer::usePlanes(const Liquid& liquid, scalar reach)
 {
     if (solid_.all() == 0) return;
+    planes_.reset();
     // From the layer, half a spacing inside of the solid, with room for the patch that gives the plane.
-    const scalar wanted = reach + 1.5f * liquid.spacing();
+    const scalar wanted = reach > 0 ? reach + 1.5f * liquid.spacing() : 0;
     // Particles move, by less than half a spacing, after the lists are made.
-    const scalar support = liquid.support() + 0.5f * liquid.spacing();
-    if (wanted > reach_) sort(liquid, support, wanted);
-    planes_.emplace(grid_->view(), reach_);
+    if (wanted > liquid.support()) sort(liquid, liquid.support() + 0.5f * liquid.spacing(), wanted);
+    else sort(liquid, liquid.support(), liquid.support());
+    if (reach > 0) planes_.emplace(grid_->view(), reach_);
 }
 
 void SampledLayer::useCosines(const std::vector<scalar>& cosines)
 {
+    anglesInUse_ = !cosines.empty();
+    if (!anglesInUse_) return;
     if (!cosTheta_) cosTheta_ = &solid_.fields().add<scalar>({.name = "cosTheta", .dimensions = dimensions::none});
     const auto order = order_.download();
     std::vector<scalar> sorted(order.size());
@@ -134,7 +137,7 @@ WallParticlesView SampledLayer::view() const
     return
     {
         near_->view(), position_.span(), normal_.span(), volume_.span(),
-        cosTheta_ ? Span<const scalar>(cosTheta_->span()) : Span<const scalar>{}
+        anglesInUse_ ? Span<const scalar>(cosTheta_->span()) : Span<const scalar>{}
     };
 }
 

@@ -35,7 +35,8 @@ Place scaled(const Vector3& v, double unit) { return placeAt(v.x / unit, v.y / u
 WallSurface curvedOrPlane(const AnalyticSurface& surface, double unit)
 {
     using Type = AnalyticSurface::Type;
-    const auto type = surface.type == Type::plane ? WallSurface::plane
+    const Vector3& n = surface.direction;
+    const auto type = surface.type == Type::plane ? WallSurface::planeAcross(n.x, n.y, n.z)
         : surface.type == Type::sphere ? WallSurface::sphere : WallSurface::cylinder;
     return
     {
@@ -51,8 +52,8 @@ std::vector<WallSurface> facesOf(const AnalyticSurface& box, double unit)
     std::vector<WallSurface> faces;
     for (const WallSurface::Direction n : {WallSurface::Direction{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
     {
-        faces.push_back({WallSurface::plane, low, n, 0, 1, 0});
-        faces.push_back({WallSurface::plane, high, {-n.x, -n.y, -n.z}, 0, 1, 0});
+        faces.push_back({WallSurface::planeAcross(n.x, n.y, n.z), low, n, 0, 1, 0});
+        faces.push_back({WallSurface::planeAcross(n.x, n.y, n.z), high, {-n.x, -n.y, -n.z}, 0, 1, 0});
     }
     return faces;
 }
@@ -80,7 +81,7 @@ Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liqu
         {
             surfaces_.surface[surfaces_.count++] = face;
             surfaceNames_.push_back(surface.name);
-            if (face.type == WallSurface::plane) held_.hold({scalar(face.direction.x), scalar(face.direction.y), scalar(face.direction.z)});
+            if (face.isFlat()) held_.hold({scalar(face.direction.x), scalar(face.direction.y), scalar(face.direction.z)});
             else held_.holdAll();
         }
     }
@@ -97,9 +98,11 @@ Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liqu
     dict_.refuseUnused();
 }
 
-void Walls::requireContacts(const Liquid& liquid, scalar reach)
+void Walls::use(const Liquid& liquid, WallUse use)
 {
-    if (layer_) layer_->requirePlanes(liquid, reach);
+    if (layer_) layer_->usePlanes(liquid, use.contactReach);
+    closest_ = use.closest;
+    useAngles(std::move(use.angles));
 }
 
 bool Walls::oneContactAngle() const
@@ -114,7 +117,7 @@ std::pair<double, double> Walls::contactAngles(scalar reach) const
     for (int a = 0; a < surfaces_.count; ++a)
     {
         const WallSurface& surface = surfaces_.surface[a];
-        if (surface.type != WallSurface::plane) tilt = std::max(tilt, degrees(double(reach) / surface.radius));
+        if (!surface.isFlat()) tilt = std::max(tilt, degrees(double(reach) / surface.radius));
     }
     const auto widened = [&](double least, double most)
     {
@@ -129,11 +132,6 @@ std::pair<double, double> Walls::contactAngles(scalar reach) const
         most = std::max(most, *high);
     }
     return least <= most ? widened(least, most) : widened(90, 90);
-}
-
-void Walls::requireContactAngles()
-{
-    if (!angles_ && (layer_ || surfaces_.count > 0)) use(readAngles());
 }
 
 WallAngles Walls::readAngles() const
@@ -170,12 +168,15 @@ WallAngles Walls::readAngles() const
     return angles;
 }
 
-void Walls::use(WallAngles angles)
+void Walls::useAngles(std::optional<WallAngles> angles)
 {
     angles_ = std::move(angles);
-    for (int a = 0; a < surfaces_.count; ++a) surfaces_.surface[a].cosTheta = cosine(angles_->surfaces[a]);
     std::vector<scalar> cosines;
-    for (const double theta : angles_->particles) cosines.push_back(cosine(theta));
+    if (angles_)
+    {
+        for (int a = 0; a < surfaces_.count; ++a) surfaces_.surface[a].cosTheta = cosine(angles_->surfaces[a]);
+        for (const double theta : angles_->particles) cosines.push_back(cosine(theta));
+    }
     if (layer_) layer_->useCosines(cosines);
     wetted_ = contactAngles().first < 179.9;
 }

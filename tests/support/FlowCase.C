@@ -25,6 +25,8 @@ FlowCase::FlowCase
         "constant/models", "pressure none; surfaceTension none; wetting none; viscosity none; bodyForce none;\n" + models
     );
     models_ = std::make_unique<Models>(folder.path(), Dictionary(), liquid, walls);
+    models_->takeEffect(liquid, walls);
+    hasAngles_ = false;                     // unless these models want them
     time_ = std::make_unique<Time>(folder.path());
     view_ = std::make_unique<FlowView>(*time_, liquid, near, walls, *models_);
     functions_ = std::make_unique<FunctionObjects>(*time_, text.spacing, true);

@@ -9,7 +9,7 @@ namespace shizuku::test
 
 LiquidCase::LiquidCase(const CaseText& text)
 :
-    liquid(makeLiquid(text)), walls(folder.path(), 0, liquid), near(liquid)
+    liquid(makeLiquid(text)), walls(folder.path(), 0, liquid), near(liquid), hasAngles_(!text.wettability.empty() || !text.solidTheta.empty())
 {}
 
 // Writes the case's files as well: the walls read them next.
@@ -44,6 +44,13 @@ Liquid LiquidCase::makeLiquid(const CaseText& text) const
     );
 }
 
+void LiquidCase::useWalls(scalar contactReach)
+{
+    WallUse use{contactReach, surface.agreed().closest, {}};
+    if (hasAngles_) use.angles = walls.readAngles();
+    walls.use(liquid, use);
+}
+
 void LiquidCase::place(const std::vector<Vec3>& positions, const std::vector<Vec3>& velocities)
 {
     const int n = int(positions.size());
@@ -57,6 +64,7 @@ void LiquidCase::place(const std::vector<Vec3>& positions, const std::vector<Vec
     liquid.predicted.upload(placed(scaled));
     liquid.velocity.upload(velocities.empty() ? std::vector<Vec3>(n) : velocities);
     liquid.id.upload(id);
+    if (surface.active() || (hasAngles_ && !walls.angles())) useWalls();
     near.update(liquid, surface.support());
     walls.update(liquid);
     reconstruct(surface);

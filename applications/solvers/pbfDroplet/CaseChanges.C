@@ -107,31 +107,31 @@ void CaseChanges::make(const Time& time, Liquid& liquid, Walls& walls, Models& m
     solution.subDictOrEmpty("kernel").markUsed();
     relaxesOverlap(solution);           // of a start
     liquidDict.refuseUnused();
-    const std::optional<WallAngles> formerAngles = walls.angles();
-    std::optional<WallAngles> angles;
-    if (formerAngles) angles = walls.readAngles();
-    if (angles && walls.particles() > 0)
-    {
-        if (anew_.wettability) angles->particles = caseTheta(time.casePath());
-        else if (!anew_.theta) angles->particles = formerAngles->particles;
-    }
-
     // The models are made with the new values in force, and nothing stays of these where a model cannot be made.
+    const std::optional<WallAngles> formerAngles = walls.angles();
+    const FieldRegistry::Infos formerFields = liquid.fields().infos();
+    models.pressure->complete();
     liquid.change(wanted.viscosity, wanted.surfaceTension);
-    if (angles) walls.use(*angles);
     try
     {
         Models fresh(time.casePath(), solution, liquid, walls);
         solution.refuseUnused();
+        if (fresh.angles && walls.particles() > 0)
+        {
+            if (anew_.wettability) fresh.angles->particles = caseTheta(time.casePath());
+            else if (!anew_.theta && formerAngles) fresh.angles->particles = formerAngles->particles;
+        }
         models = std::move(fresh);
     }
     catch (...)
     {
         liquid.change(former.viscosity, former.surfaceTension);
-        if (formerAngles) walls.use(*formerAngles);
+        liquid.fields().restore(formerFields);
         throw;
     }
-    const bool otherTheta = angles && angles->particles != formerAngles->particles;
+    models.takeEffect(liquid, walls);
+    const std::optional<WallAngles>& angles = walls.angles();
+    const bool otherTheta = angles && formerAngles && angles->particles != formerAngles->particles;
     if (otherTheta) written_ = std::make_shared<const std::vector<double>>(angles->particles);
 
     std::cout << "The case has changed, the models were made anew\n";

@@ -39,6 +39,7 @@ void pbfDroplet(const Arguments& args)
     Liquid liquid(LiquidProperties::read(solution, liquidDict), solution.subDictOrEmpty("kernel"));
     Walls walls(args.casePath(), time.value(), liquid);
     Models models(args.casePath(), solution, liquid, walls);
+    models.takeEffect(liquid, walls);
     StepControl control(time.controlDict());
     FunctionObjects functions(time, liquid.properties().spacing, !args.found("noFunctionObjects"));
     const bool relaxes = relaxesOverlap(solution);
@@ -102,6 +103,7 @@ void pbfDroplet(const Arguments& args)
         if (time.reportDue()) reportStep(steps, flow);
         if (time.writeDue())
         {
+            models.pressure->complete();
             const auto particles = fields.copy(flow.liquid(), liquid.units(), time.format());
             const auto theta = changes.writingTheta(time.format());
             writer.add(time.writing([=](const std::filesystem::path& folder)

@@ -5,7 +5,7 @@
 namespace shizuku
 {
 
-InterParticleForces::InterParticleForces(const Dictionary& models, Liquid& liquid, Walls& walls, FreeSurface& surface)
+InterParticleForces::InterParticleForces(const Dictionary& models, Liquid& liquid, const Walls& walls, FreeSurface& surface)
 :
     everyIteration_
     (

@@ -3,7 +3,7 @@
 namespace shizuku
 {
 
-std::unique_ptr<ParticleShifting> ParticleShifting::New(const Dictionary& models, Liquid& liquid, Walls& walls, FreeSurface& surface)
+std::unique_ptr<ParticleShifting> ParticleShifting::New(const Dictionary& models, Liquid& liquid, const Walls& walls, FreeSurface& surface)
 {
     const auto word = models.lookupOr<std::string>("particleShifting", "none");
     return ParticleShiftingTable::New

@@ -5,7 +5,7 @@ namespace shizuku
 
 std::unique_ptr<Pressure> Pressure::New
 (
-    const Dictionary& models, const Dictionary& solution, Liquid& liquid, Walls& walls, FreeSurface& surface
+    const Dictionary& models, const Dictionary& solution, Liquid& liquid, const Walls& walls, FreeSurface& surface
 )
 {
     return PressureTable::New

@@ -5,7 +5,7 @@ namespace shizuku
 
 std::unique_ptr<SurfaceTension> SurfaceTension::New
 (
-    const Dictionary& models, Liquid& liquid, Walls& walls, FreeSurface& surface
+    const Dictionary& models, Liquid& liquid, const Walls& walls, FreeSurface& surface
 )
 {
     const auto word = models.lookup<std::string>("surfaceTension");

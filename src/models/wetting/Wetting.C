@@ -5,7 +5,7 @@ namespace shizuku
 
 std::unique_ptr<Wetting> Wetting::New
 (
-    const Dictionary& models, Liquid& liquid, Walls& walls, const SurfaceTension& tension
+    const Dictionary& models, Liquid& liquid, const Walls& walls, const SurfaceTension& tension
 )
 {
     const auto word = models.lookup<std::string>("wetting");

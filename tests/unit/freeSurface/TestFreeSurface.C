@@ -34,12 +34,12 @@ TEST(FreeSurface, ThatNobodyAskedForCostsNothing)
 TEST(FreeSurface, FindsRoomWhenItGrows)
 {
     LiquidCase drop;
-    drop.surface.require(drop.liquid, drop.walls, 4, 0);
+    drop.surface.require(drop.liquid, 4, 0);
     drop.place(latticeBall(4));
     EXPECT_FALSE(drop.surface.cutOff());
     const int before = drop.surface.view().position.size;
     LiquidCase large;
-    large.surface.require(large.liquid, large.walls, 4, 0);
+    large.surface.require(large.liquid, 4, 0);
     large.place(latticeBall(8));
     const int room = large.surface.view().position.size;
     EXPECT_GT(room, 2 * before);
@@ -65,7 +65,7 @@ TEST(FreeSurface, OfALatticeHalfSpaceIsPlanar)
     for (const scalar apart : {1.0f, 1.06f})
     {
         LiquidCase drop;
-        drop.surface.require(drop.liquid, drop.walls, 4, 0);
+        drop.surface.require(drop.liquid, 4, 0);
         const scalar d = drop.liquid.spacing(), h = drop.surface.support();
         EXPECT_FLOAT_EQ(h, 4 * d);
         const auto points = latticeBlock(11, 11, 10, apart, {-5 * apart, -5 * apart, -9.5f * apart});
@@ -99,7 +99,7 @@ TEST(FreeSurface, OfALatticeHalfSpaceIsPlanar)
 TEST(FreeSurface, IsNotLessThanHalfASpacingAway)
 {
     LiquidCase drop;
-    drop.surface.require(drop.liquid, drop.walls, 4, 0);
+    drop.surface.require(drop.liquid, 4, 0);
     auto points = latticeBall(4);
     points.push_back({5.5f, 0, 0});
     drop.place(points);
@@ -117,8 +117,8 @@ TEST(FreeSurface, OfAWedgeAtItsContactAngleIsThatOfAHalfSpace)
     for (const double theta : {45.0, 60.0, 90.0, 110.0, 135.0})
     {
         LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta " + std::to_string(theta) + "; }"});
-        drop.walls.requireContactAngles();
-        drop.surface.require(drop.liquid, drop.walls, 4, 0);
+        drop.useWalls();
+        drop.surface.require(drop.liquid, 4, 0);
         const auto points = latticeWedge(theta, 10, 11, 10);
         drop.place(points);
         const scalar d = drop.liquid.spacing(), h = drop.surface.support();
@@ -157,8 +157,8 @@ TEST(FreeSurface, MeetsACurvedWallAtTheAngleOfItsContactLine)
     {
         LiquidCase drop({.walls = "ball { type sphere; centre (0 0 -20e-3); radius 20e-3; liquid outside; }",
                          .wettability = "ball { theta " + std::to_string(theta) + "; }"});
-        drop.walls.requireContactAngles();
-        drop.surface.require(drop.liquid, drop.walls, 4, 0);
+        drop.useWalls();
+        drop.surface.require(drop.liquid, 4, 0);
         const Vec3 m{scalar(std::sin(theta * degree)), 0, scalar(std::cos(theta * degree))}, centre{0, 0, -20};
         std::vector<Vec3> points;
         for (const Vec3 p : latticeBlock(26, 17, 18, 1, {-17.5f, -8, -7.5f}))
@@ -188,7 +188,7 @@ TEST(FreeSurface, MeetsACurvedWallAtTheAngleOfItsContactLine)
 TEST(FreeSurface, IsNotInACornerFullOfLiquid)
 {
     LiquidCase drop({.walls = floorPlane + "side { type plane; point (0 0 0); normal (1 0 0); }"});
-    drop.surface.require(drop.liquid, drop.walls, 4, 0);
+    drop.surface.require(drop.liquid, 4, 0);
     const auto points = latticeBlock(10, 11, 10, 1, {0.5f, -5, 0.5f});
     drop.place(points);
     const scalar d = drop.liquid.spacing();
@@ -210,7 +210,7 @@ TEST(FreeSurface, IsNotInACornerFullOfLiquid)
 TEST(FreeSurface, IsFartherThanTheDensitysSupportFromWhatIsDeep)
 {
     LiquidCase drop;
-    drop.surface.require(drop.liquid, drop.walls, 4, 0);
+    drop.surface.require(drop.liquid, 4, 0);
     auto points = latticeBall(10);
     RandomNumbers random(3);
     disorder(points, 0.35f, random);

@@ -151,6 +151,7 @@ TEST(Models, WithoutAFreeSurfaceLeaveItIdle)
           : "pressure pbf; surfaceTension Fujisawa2014; wetting contactAngle; viscosity XSPH; bodyForce none;"
         );
         const Models models(drop.folder.path(), Dictionary(), drop.liquid, drop.walls);
+        models.takeEffect(drop.liquid, drop.walls);
         EXPECT_EQ(models.freeSurface->active(), surface);
         EXPECT_EQ(models.freeSurface->support(), surface ? FreeSurface::usualSupport(drop.liquid) * drop.liquid.spacing() : 0);
         drop.place({{0, 0, 0.5f}, {1, 0, 0.5f}, {0, 1, 0.5f}});

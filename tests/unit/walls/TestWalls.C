@@ -51,7 +51,7 @@ TEST(Walls, ReorderContactAnglesWithTheirParticles)
     for (const Vec3& p : layer) theta.push_back(90 + 10 * p.x);
     LiquidCase walls({.walls = sampledFloor, .solidPositions = layer, .solidTheta = theta});
     EXPECT_EQ(walls.walls.view(walls.liquid).particles.cosTheta.size, 0);       // nobody asked
-    walls.walls.requireContactAngles();
+    walls.useWalls();
     const auto view = walls.walls.view(walls.liquid).particles;
     const auto position = download(view.position);
     const auto cosine = download(view.cosTheta);
@@ -72,9 +72,9 @@ TEST(Walls, KeepContactAnglesWithTheirParticlesInWiderCells)
     for (const bool anglesFirst : {true, false})
     {
         LiquidCase walls({.walls = sampledFloor, .solidPositions = layer, .solidTheta = theta});
-        if (anglesFirst) walls.walls.requireContactAngles();
-        walls.walls.requireContacts(walls.liquid, 4 * walls.liquid.spacing());
-        walls.walls.requireContactAngles();
+        if (anglesFirst) walls.useWalls();
+        walls.useWalls(4 * walls.liquid.spacing());
+        walls.useWalls();
         const auto view = walls.walls.view(walls.liquid).particles;
         const auto position = download(view.position);
         const auto cosine = download(view.cosTheta);
@@ -99,7 +99,7 @@ TEST(Walls, TellTheirSmallestAndLargestContactAngle)
     const auto anglesOf = [&](LiquidCase& walls)
     {
         EXPECT_EQ(walls.walls.contactAngles(), right);          // nobody asked
-        walls.walls.requireContactAngles();
+        walls.useWalls();
         return walls.walls.contactAngles();
     };
     // Single precision of a cosine, over the sine of at least 0.5: 1e-5 degrees.
@@ -135,8 +135,8 @@ TEST(Walls, FitThePlaneOfAFlatLayer)
             const Vec3 n = place({0, 0, 1}) - place({});
             LiquidCase drop({.walls = sampledFloor, .solidPositions = layer, .solidNormal = n,
                              .solidTheta = std::vector<double>(layer.size(), 60)});
-            drop.walls.requireContactAngles();
-            drop.walls.requireContacts(drop.liquid, 4 * drop.liquid.spacing());
+            drop.useWalls();
+            drop.useWalls(4 * drop.liquid.spacing());
             const auto local = randomPoints(60, {-4, -4, 0.3f}, {4, 4, 3.9f});
             for (const Vec3& p : local) points.push_back(place(p));
             points.push_back(place({7 * apart + 3, 0, 0.5f}));
@@ -191,7 +191,7 @@ TEST(Walls, FitTangentPlanesToASampledSphere)
             RandomNumbers random(5);
             for (const Vec3& e : directions) points.push_back(centre + (radius + random(0.3f, 3.9f)) * e);
             LiquidCase drop({.walls = sampledFloor, .solidPositions = solid, .solidNormals = normals});
-            drop.walls.requireContacts(drop.liquid, 4 * drop.liquid.spacing());
+            drop.useWalls(4 * drop.liquid.spacing());
             drop.place(points);
 
             const scalar d = drop.liquid.spacing();
@@ -214,7 +214,7 @@ TEST(Walls, FitTangentPlanesToASampledSphere)
 TEST(Walls, PutLiquidBackHalfASpacingBeforeATangentPlane)
 {
     LiquidCase drop({.walls = sampledFloor, .solidPositions = latticeBlock(15, 15, 1, 1, {-7, -7, -0.5f})});
-    drop.walls.requireContacts(drop.liquid, 4 * drop.liquid.spacing());
+    drop.useWalls(4 * drop.liquid.spacing());
     drop.place({{0.3f, 0.2f, 0.1f}, {-2, 1.5f, 0.7f}});
     drop.walls.project(drop.liquid);
     const auto moved = drop.inOrder(drop.liquid.predicted);
@@ -322,7 +322,7 @@ TEST(Walls, RefuseWhatIsMissing)
     EXPECT_TRUE(holds(refusalOf({.walls = "floor { type plan; }"}), {"constant/walls", "plan", "plane"}));
 
     LiquidCase noAngles({.walls = sampledFloor, .solidPositions = {{0, 0, 0}}});
-    EXPECT_TRUE(holds(messageOf([&] { noAngles.walls.requireContactAngles(); }), {"solid/theta", "sampleTheta"}));
+    EXPECT_TRUE(holds(messageOf([&] { noAngles.walls.readAngles(); }), {"solid/theta", "sampleTheta"}));
 }
 
 TEST(Walls, ReadContactAnglesOfSurfaces)
@@ -330,10 +330,10 @@ TEST(Walls, ReadContactAnglesOfSurfaces)
     for (const auto& [theta, cosine] : {std::pair{"0", 1.0}, {"60", 0.5}, {"180", -1.0}})
     {
         LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta " + std::string(theta) + "; }"});
-        drop.walls.requireContactAngles();
+        drop.useWalls();
         EXPECT_NEAR(drop.walls.view(drop.liquid).surfaces.surface[0].cosTheta, cosine, 1e-7);
     }
     LiquidCase wrong({.walls = floorPlane, .wettability = "floor { theta 181; }"});
-    EXPECT_TRUE(holds(messageOf([&] { wrong.walls.requireContactAngles(); }),
+    EXPECT_TRUE(holds(messageOf([&] { wrong.walls.readAngles(); }),
                       {"constant/wettability", "181", "0 to 180"}));
 }

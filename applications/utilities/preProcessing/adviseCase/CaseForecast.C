@@ -81,6 +81,7 @@ CaseForecast forecastCase(const TrialCase& trial, const std::vector<std::string>
     Liquid liquid(LiquidProperties::read(solution, liquidDict), solution.subDictOrEmpty("kernel"));
     Walls walls(casePath, time.value(), liquid);
     Models models(casePath, solution, liquid, walls);
+    models.takeEffect(liquid, walls);
     FunctionObjects functions(time, liquid.properties().spacing, !trial.withoutSolid());
     const bool relaxes = relaxesOverlap(solution);
     solution.refuseUnused();

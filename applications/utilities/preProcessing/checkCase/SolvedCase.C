@@ -57,6 +57,7 @@ void SolvedCase::readWallsAndModels(Findings& findings)
     walls = std::move(trial);
     if (findings.attempt([&] { models = std::make_unique<Models>(path, *solution_, *liquid, *walls); }))
     {
+        models->takeEffect(*liquid, *walls);
         findings.attempt([&] { relaxes_ = relaxesOverlap(*solution_); });
         findings.attempt([&] { solution_->refuseUnused(); });
     }

@@ -50,7 +50,7 @@ struct PartPairs
 class ClosePairs : public ParticleShifting
 {
 public:
-    ClosePairs(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface)
+    ClosePairs(const Dictionary& coeffs, Liquid& liquid, const Walls& walls, FreeSurface& surface)
     :
         distance_(scalar(coeffs.lookupOr("distance", 0.95))),
         surface_(surface)
@@ -59,7 +59,7 @@ public:
         {
             throw FatalInputError(coeffs.where("distance"), "The distance of pairs is out of range", "above 0, up to 1 spacing");
         }
-        if (!surface.active()) surface.require(liquid, walls, FreeSurface::usualSupport(liquid), 0);
+        surface.requireUsual(liquid);
     }
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override

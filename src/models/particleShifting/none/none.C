@@ -11,7 +11,7 @@ namespace
 class NoShifting : public ParticleShifting
 {
 public:
-    NoShifting(const Dictionary&, Liquid&, Walls&, FreeSurface&) {}
+    NoShifting(const Dictionary&, Liquid&, const Walls&, FreeSurface&) {}
     void apply(Liquid&, const Neighbourhood&, const Walls&) override {}
 };
 

@@ -126,7 +126,7 @@ Relaxation readRelaxation(const Dictionary& dict, const Liquid& liquid, double c
 class Clavet2005 : public Pressure
 {
 public:
-    Clavet2005(const Dictionary& dict, Liquid& liquid, Walls& walls, FreeSurface&)
+    Clavet2005(const Dictionary& dict, Liquid& liquid, const Walls& walls, FreeSurface&)
     :
         sound_(SoundSpeed::read(dict, liquid)),
         relaxation_(readRelaxation(dict, liquid, liquid.units().toScaled(sound_.value, dimensions::velocity)))

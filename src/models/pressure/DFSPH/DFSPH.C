@@ -25,6 +25,7 @@
 #include "models/pressure/Pressure.H"
 #include "models/pressure/shared/AverageCompression.H"
 #include "models/pressure/shared/IterationControls.H"
+#include "models/pressure/shared/PressureField.H"
 #include "models/pressure/shared/PushApart.H"
 
 namespace shizuku
@@ -168,18 +169,16 @@ struct RateOf
 class DFSPH : public Pressure
 {
 public:
-    DFSPH(const Dictionary& dict, Liquid& liquid, Walls&, FreeSurface&)
+    DFSPH(const Dictionary& dict, Liquid& liquid, const Walls&, FreeSurface&)
     :
         controls_(IterationControls::read(dict, {2, 100, 1e-3})),
         divergenceControls_(IterationControls::read(dict.subDictOrEmpty("divergence"), {1, 100, 1e-3})),
         warmStart_(dict.lookupOr("warmStart", true)),
-        pressure_(liquid.fields().require<scalar>
-        ({
-            .name = "p", .dimensions = dimensions::pressure, .written = true, .exchanged = true
-        })),
+        pressure_(keptPressure(liquid)),
         velocityPotential_(liquid.fields().require<scalar>
         ({
-            .name = "velocityPotential", .dimensions = dimensions::kinematicViscosity, .exchanged = true
+            .name = "velocityPotential", .dimensions = dimensions::kinematicViscosity, .written = true, .restarted = true,
+            .exchanged = true
         }))
     {}
 

@@ -43,7 +43,7 @@ struct RaisePressure
 class PCISPH : public Pressure
 {
 public:
-    PCISPH(const Dictionary& dict, Liquid& liquid, Walls&, FreeSurface&)
+    PCISPH(const Dictionary& dict, Liquid& liquid, const Walls&, FreeSurface&)
     :
         controls_(IterationControls::read(dict, {3, 50, 1e-3})),
         squares_(bulkSquares(liquid)),

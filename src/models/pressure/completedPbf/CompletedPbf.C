@@ -154,21 +154,22 @@ struct Displace
 class CompletedPbf : public Pressure
 {
 public:
-    CompletedPbf(const Dictionary& controls, Liquid& liquid, Walls& walls, FreeSurface& surface)
+    CompletedPbf(const Dictionary& controls, Liquid& liquid, const Walls& walls, FreeSurface& surface)
     :
         controls_(PressureControls::read(controls, liquid)),
         ordering_(scalar(controls.lookupOr("ordering", 1.2))),
         limits_(controls_),
         surface_(surface),
         plane_(tabulateHalfSpace(liquid.kernel())),
-        pressure_(freshPressure(liquid)),
-        capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
+        pressure_(keptPressure(liquid)),
+        capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time)),
+        steady_(liquid)
     {
         refuseIf(!(ordering_ >= 1 && ordering_ <= 4), controls, "ordering", "1 to 4");
         if (controls.lookupOr("coarseGrid", false)) coarse_.emplace(liquid);
-        alongSurfaces_ = controls.lookupOr("alongSurfaces", surface.pressed());
-        surface.setOrdering(ordering_);
-        if (!surface.active()) surface.require(liquid, walls, FreeSurface::usualSupport(liquid), 0);
+        if (controls.found("alongSurfaces")) givenAlongSurfaces_ = controls.lookup<bool>("alongSurfaces");
+        surface.agreed().ordering = ordering_;
+        surface.requireUsual(liquid);
     }
 
     void begin(scalar dt) override
@@ -178,6 +179,7 @@ public:
         limits_.maxIterations = int(std::lround(controls_.maxIterations * more));
         steady_.begin(limits_);
         dt_ = dt;
+        alongSurfaces_ = givenAlongSurfaces_.value_or(surface_.agreed().pressureJump);
     }
 
     bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
@@ -238,6 +240,8 @@ public:
         steady_.forget();
         pressure_.setZero();
     }
+
+    void complete() override { steady_.complete(); }
 
     int iterations() const override { return iterations_; }
     const Buffer<scalar>* keepPressure() override { return &pressure_; }
@@ -318,7 +322,8 @@ private:
     int iterations_ = 0;
     std::optional<ExtendedLiquid> extended_;
     bool oneAngle_ = false;
-    bool alongSurfaces_ = false;
+    std::optional<bool> givenAlongSurfaces_;
+    bool alongSurfaces_ = false;            // in this step
     Buffer<Vec3> stress_;                   // of the first iteration
     Buffer<Vec3> normals_, wallNormals_;    // of surface and walls, with alongSurfaces
     Buffer<Position> push_;                 // shares its memory with the predicted positions to come

@@ -11,7 +11,7 @@ namespace
 class NoPressure : public Pressure
 {
 public:
-    NoPressure(const Dictionary& dict, Liquid&, Walls&, FreeSurface&) { dict.markUsed(); }
+    NoPressure(const Dictionary& dict, Liquid&, const Walls&, FreeSurface&) { dict.markUsed(); }
 
     void begin(scalar) override {}
     bool violated(Liquid&, const Neighbourhood&, const Walls&) override { return false; }

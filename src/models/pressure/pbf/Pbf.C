@@ -96,7 +96,7 @@ struct Correction
 class Pbf : public Pressure
 {
 public:
-    Pbf(const Dictionary& dict, Liquid& liquid, Walls&, FreeSurface&)
+    Pbf(const Dictionary& dict, Liquid& liquid, const Walls&, FreeSurface&)
     :
         controls_(PressureControls::read(dict, liquid)),
         selfGradient_(dict.lookupOr("selfGradient", true)),

@@ -45,7 +45,7 @@ KernelForce readForce(const Dictionary& coeffs, const Liquid& liquid)
 class Becker2007 : public PairForce<KernelForce>
 {
 public:
-    Becker2007(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface&)
+    Becker2007(const Dictionary& coeffs, Liquid& liquid, const Walls& walls, FreeSurface&)
     :
         PairForce(readForce(coeffs, liquid), liquid, walls)
     {}

@@ -57,7 +57,7 @@ PotentialForce forceOf(const Liquid& liquid)
 class Kondo2007 : public PairForce<PotentialForce>
 {
 public:
-    Kondo2007(const Dictionary&, Liquid& liquid, Walls& walls, FreeSurface&) : PairForce(forceOf(liquid), liquid, walls) {}
+    Kondo2007(const Dictionary&, Liquid& liquid, const Walls& walls, FreeSurface&) : PairForce(forceOf(liquid), liquid, walls) {}
 };
 
 const SurfaceTensionTable::Add<Kondo2007> registered{"Kondo2007"};

@@ -62,7 +62,7 @@ struct ColourForce
 class Mueller2003 : public SurfaceTension
 {
 public:
-    Mueller2003(const Dictionary& coeffs, Liquid& liquid, Walls&, FreeSurface&)
+    Mueller2003(const Dictionary& coeffs, Liquid& liquid, const Walls&, FreeSurface&)
     :
         W_(liquid.support()),
         density_(requirePredictedDensity(liquid)),

@@ -43,7 +43,7 @@ CosineForce readForce(const Dictionary& coeffs, const Liquid& liquid)
 class Tartakovsky2005 : public PairForce<CosineForce>
 {
 public:
-    Tartakovsky2005(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface&)
+    Tartakovsky2005(const Dictionary& coeffs, Liquid& liquid, const Walls& walls, FreeSurface&)
     :
         PairForce(readForce(coeffs, liquid), liquid, walls)
     {}

@@ -89,9 +89,9 @@ struct Force
 class ContinuumSurfaceForce : public CurvatureTension<PairCurvature>
 {
 public:
-    ContinuumSurfaceForce(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface)
+    ContinuumSurfaceForce(const Dictionary& coeffs, Liquid& liquid, const Walls&, FreeSurface& surface)
     :
-        CurvatureTension(coeffs, liquid, walls, surface)
+        CurvatureTension(coeffs, liquid, surface)
     {}
 
 private:

@@ -13,12 +13,12 @@
 // layer, so that no table of what a force's layers add up to is needed, and a pressure that changes along the surface is that of
 // hydrostatics in all layers alike. Particles at rest do not lie as a plane: R is by how much they miss more, as a mean of those around, because
 // the force of single particles would leave alone those that stand out of the surface, and liquid would evaporate. o: how much more than
-// the sum alone the pressure's model makes of that difference (FreeSurface::ordering()).
+// the sum alone the pressure's model makes of that difference (SurfaceAgreement).
 //
 // The rim of a film on a wall that wets wholly is hollow, and pulled outwards. Liquid behind it that is stretched does not follow, so that
 // particles of the rim would leave one by one: the pull ends where the liquid at the wall is diluted, from 5 % on, wholly at 20 %.
 //
-// Walls let liquid come as near as layers of it lie apart, and no nearer (Walls::admitLayers).
+// Walls let liquid come as near as layers of it lie apart, and no nearer (SurfaceAgreement).
 //
 // Needs a pressure whose force is that sum over pairs; completedPbf completes its gradient along surfaces and walls then.
 // sigma and theta are the user's; no number here was chosen by trial but the bounds of R, which is 1.1 in calm drops,
@@ -138,13 +138,15 @@ struct Press
 class LaplacePressure : public CurvatureTension<RegressedCurvature>
 {
 public:
-    LaplacePressure(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface)
+    LaplacePressure(const Dictionary& coeffs, Liquid& liquid, const Walls&, FreeSurface& surface)
     :
-        CurvatureTension(coeffs, liquid, walls, surface),
+        CurvatureTension(coeffs, liquid, surface),
         plane_(tabulateHalfSpace(liquid.kernel()))
     {
-        surface.setPressed();
-        walls.admitLayers();
+        // Half of what close-packed layers lie apart, 2^(1/6) sqrt(2/3) spacings: there is where the pressure holds the first layer of disordered liquid.
+        constexpr scalar halfOfLayers = 0.458f;
+        surface.agreed().pressureJump = true;
+        surface.agreed().closest = halfOfLayers;
     }
 
 private:
@@ -163,7 +165,7 @@ private:
             {
                 forEachTeam(surface_.particles(), MeasureOpenSide<Kernel>
                 {
-                    W, liquid.particleVolume(), liquid.particleVolume() / liquid.latticeSum(), liquid.spacing(), surface_.ordering(),
+                    W, liquid.particleVolume(), liquid.particleVolume() / liquid.latticeSum(), liquid.spacing(), surface_.agreed().ordering,
                     liquid.predicted.span(), near.view(),
                     {extended_->view(), W.h, walls.view(liquid)}, view, {plane_.span(), W.h}, open.span()
                 });

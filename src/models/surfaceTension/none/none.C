@@ -11,7 +11,7 @@ namespace
 class NoSurfaceTension : public SurfaceTension
 {
 public:
-    NoSurfaceTension(const Dictionary&, Liquid&, Walls&, FreeSurface&) {}
+    NoSurfaceTension(const Dictionary&, Liquid&, const Walls&, FreeSurface&) {}
 
     bool active() const override { return false; }
     void apply(Liquid&, const Neighbourhood&, const Walls&, Buffer<Vec3>&) override {}

@@ -95,7 +95,7 @@ PairCoefficients readPairCoefficients(const Dictionary& coeffs, const Liquid& li
     };
 }
 
-PairTension::PairTension(const Dictionary& coeffs, Liquid& liquid, Walls& walls, WallNormals wallNormals)
+PairTension::PairTension(const Dictionary& coeffs, Liquid& liquid, WallNormals wallNormals)
 :
     coefficients_(readPairCoefficients(coeffs, liquid)),
     wallNormals_(wallNormals),
@@ -104,9 +104,7 @@ PairTension::PairTension(const Dictionary& coeffs, Liquid& liquid, Walls& walls,
         .name = "normal", .dimensions = dimensions::none, .sorted = false, .written = false, .exchanged = true
     })),
     density_(requirePredictedDensity(liquid))
-{
-    if (wallNormals == WallNormals::yes) walls.requireContactAngles();
-}
+{}
 
 void PairTension::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration)
 {

@@ -106,11 +106,11 @@ private:
 
 }
 
-PairCurvature::PairCurvature(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface, scalar sigma)
+PairCurvature::PairCurvature(const Dictionary& coeffs, const Liquid& liquid, FreeSurface& surface, scalar sigma)
 :
     surface_(surface)
 {
-    requireSurface(coeffs, liquid, walls, surface, sigma);
+    requireSurface(coeffs, liquid, surface, sigma);
 }
 
 CurvatureField PairCurvature::operator()(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)

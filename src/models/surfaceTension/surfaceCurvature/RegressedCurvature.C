@@ -165,11 +165,11 @@ private:
 
 }
 
-RegressedCurvature::RegressedCurvature(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface, scalar sigma)
+RegressedCurvature::RegressedCurvature(const Dictionary& coeffs, const Liquid& liquid, FreeSurface& surface, scalar sigma)
 :
     surface_(surface)
 {
-    requireSurface(coeffs, liquid, walls, surface, sigma);
+    requireSurface(coeffs, liquid, surface, sigma);
 }
 
 CurvatureField RegressedCurvature::operator()(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)

@@ -5,7 +5,7 @@
 namespace shizuku
 {
 
-void requireSurface(const Dictionary& coeffs, Liquid& liquid, Walls& walls, FreeSurface& surface, scalar sigma)
+void requireSurface(const Dictionary& coeffs, const Liquid& liquid, FreeSurface& surface, scalar sigma)
 {
     const scalar support = scalar(coeffs.lookupOr("support", double(FreeSurface::usualSupport(liquid))));
     if (!(support >= FreeSurface::leastSupport(liquid) && support <= 8))
@@ -16,7 +16,7 @@ void requireSurface(const Dictionary& coeffs, Liquid& liquid, Walls& walls, Free
             "1.5 times the kernel's to 8 spacings"
         );
     }
-    surface.require(liquid, walls, support, sigma / liquid.spacing());
+    surface.require(liquid, support, sigma / liquid.spacing());
 }
 
 std::vector<scalar> weightsByDepth(const WendlandC2& W, scalar steepest)

@@ -62,7 +62,7 @@ struct Adhesion
 class Akinci2013 : public Wetting
 {
 public:
-    Akinci2013(const Dictionary& coeffs, Liquid& liquid, Walls& walls, const SurfaceTension& tension)
+    Akinci2013(const Dictionary& coeffs, Liquid& liquid, const Walls& walls, const SurfaceTension& tension)
     :
         fullBeta_(0), beta_(-1)
     {
@@ -77,7 +77,6 @@ public:
         {
             const double ratio = separationIntegral(CohesionSpline{1}) / separationIntegral(AdhesionSpline{1});
             fullBeta_ = scalar(ratio * requirePairCoefficients(tension, coeffs).cohesion);
-            walls.requireContactAngles();
         }
         if (walls.surfaces() > 0)
         {
@@ -88,6 +87,9 @@ public:
             );
         }
     }
+
+    // Where beta is given it says how a wall attracts.
+    bool usesContactAngles() const override { return beta_ < 0; }
 
     void apply(Liquid& liquid, const Neighbourhood&, const Walls& walls, Buffer<Vec3>& acceleration) override
     {

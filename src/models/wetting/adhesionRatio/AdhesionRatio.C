@@ -18,7 +18,7 @@ namespace
 class AdhesionRatio : public Wetting
 {
 public:
-    AdhesionRatio(const Dictionary& coeffs, Liquid&, Walls& walls, const SurfaceTension& tension)
+    AdhesionRatio(const Dictionary& coeffs, Liquid&, const Walls& walls, const SurfaceTension& tension)
     :
         attraction_(tension.pairAttraction())
     {
@@ -30,7 +30,6 @@ public:
                 "surfaceTension Becker2007, Kondo2007 or Tartakovsky2005, or another wetting model"
             );
         }
-        walls.requireContactAngles();
     }
 
     void apply(Liquid& liquid, const Neighbourhood&, const Walls& walls, Buffer<Vec3>& acceleration) override

@@ -93,15 +93,13 @@ struct WallPairForce
 class ContactAngle : public Wetting
 {
 public:
-    ContactAngle(const Dictionary& coeffs, Liquid& liquid, Walls& walls, const SurfaceTension& tension)
+    ContactAngle(const Dictionary& coeffs, Liquid& liquid, const Walls& walls, const SurfaceTension& tension)
     :
         gamma_(requirePairCoefficients(tension, coeffs)),
         solidNormal_(coeffs.lookupChoiceOr("solidNormal", {"SPH", "wall", "zero"}, "SPH")),
         normal_(liquid.fields().require<Vec3>({.name = "normal", .dimensions = dimensions::none, .sorted = false})),
         density_(requirePredictedDensity(liquid))
-    {
-        walls.requireContactAngles();
-    }
+    {}
 
     bool active() const override { return true; }
 

@@ -15,7 +15,7 @@ namespace
 class ExtendedSurface : public Wetting
 {
 public:
-    ExtendedSurface(const Dictionary& coeffs, Liquid&, Walls& walls, const SurfaceTension& tension)
+    ExtendedSurface(const Dictionary& coeffs, Liquid&, const Walls& walls, const SurfaceTension& tension)
     {
         if (!tension.freeSurface())
         {
@@ -25,7 +25,6 @@ public:
                 "surfaceTension continuumSurfaceForce or laplacePressure, or another wetting model"
             );
         }
-        walls.requireContactAngles();
     }
 
     // It acts through the surface's reconstruction.

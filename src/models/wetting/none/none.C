@@ -11,7 +11,7 @@ namespace
 class NoWetting : public Wetting
 {
 public:
-    NoWetting(const Dictionary&, Liquid&, Walls&, const SurfaceTension&) {}
+    NoWetting(const Dictionary&, Liquid&, const Walls&, const SurfaceTension&) {}
 
     bool active() const override { return false; }
     void apply(Liquid&, const Neighbourhood&, const Walls&, Buffer<Vec3>&) override {}

@@ -44,8 +44,8 @@ Motion leftOver
 )
 {
     LiquidCase drop({.walls = walls, .wettability = wettability, .solidPositions = solidPositions});
-    if (!wettability.empty()) drop.walls.requireContactAngles();
-    drop.walls.requireContacts(drop.liquid, reach * drop.liquid.spacing());
+    if (!wettability.empty()) drop.useWalls();
+    drop.useWalls(reach * drop.liquid.spacing());
     RandomNumbers random(5);
     const auto points = latticeBlock(7, 5, 3, 1, {20, -30, height});
     std::vector<Vec3> velocities;

@@ -121,6 +121,7 @@ TEST(CompletedPbf, ExpandsACompressedBlockToRestDensity)
     EXPECT_GT(averageOf(drop.liquid.density.download(), compression), 0.15);
 
     const auto pressure = makePressure(drop, "completedPbf", "maxIterations 60; tolerance 1e-3; relaxation 0.5;");
+    pressure->forget();                     // what the other one has left in the liquid
     const int iterations = iterate(*pressure, drop, 0.1f);
     EXPECT_GT(iterations, 2);
     EXPECT_LT(iterations, 60);
@@ -461,17 +462,17 @@ TEST(CompletedPbf, TakesMoreIterationsWhereMuchIsLeft)
 // many iterations as the step before, be it all of them or one.
 TEST(CompletedPbf, MakesAsManyIterationsAsBeforeWhereHalfIsLeft)
 {
-    LiquidCase drop;
+    LiquidCase drop, other;                 // the numbers of iterations are the liquid's
     const std::string controls = "minIterations 1; maxIterations 4; tolerance 0.13; relaxation 1e-3;";
-    const auto calm = makePressure(drop, "completedPbf", controls), before = makePressure(drop, "completedPbf", controls);
+    const auto calm = makePressure(other, "completedPbf", controls), before = makePressure(drop, "completedPbf", controls);
     drop.place(latticeBlock(8, 8, 8, 0.8f));
     EXPECT_EQ(iterate(*before, drop, 0.02f), 4);
     for (int step = 0; step < 3; ++step)
     {
         drop.place(latticeBlock(8, 8, 8, 0.97f));
         EXPECT_EQ(iterate(*before, drop, 0.02f), 4) << step;
-        drop.place(latticeBlock(8, 8, 8, 0.97f));
-        EXPECT_EQ(iterate(*calm, drop, 0.02f), 1) << step;
+        other.place(latticeBlock(8, 8, 8, 0.97f));
+        EXPECT_EQ(iterate(*calm, other, 0.02f), 1) << step;
     }
 }
 

@@ -203,8 +203,8 @@ TEST(OrderStress, VanishesNextToPlanesOfALattice)
             .kernel = kernel, .walls = "floor { type plane; point (0 0 0); normal (0.6 0 0.8); }",
             .wettability = "floor { theta 90; }"
         });
-        bounded.walls.requireContactAngles();
-        for (LiquidCase* each : {&open, &bounded}) each->surface.require(each->liquid, each->walls, scalar(2 * support), 0);
+        bounded.useWalls();
+        for (LiquidCase* each : {&open, &bounded}) each->surface.require(each->liquid, scalar(2 * support), 0);
         const auto below = halfSpace(-1), above = halfSpace(1);
         open.place(below);
         bounded.place(above);
@@ -236,7 +236,7 @@ TEST(OrderStress, VanishesNextToPlanesOfALattice)
 TEST(OrderStress, StaysInTheOutermostLayers)
 {
     LiquidCase open({.kernel = "type cubicSpline; support 4;"});
-    open.surface.require(open.liquid, open.walls, 8, 0);
+    open.surface.require(open.liquid, 8, 0);
     const auto points = halfSpace(-1);
     open.place(points);
     const auto all = deviators(open, -1e3f), taken = deviators(open, 0.5f);

@@ -223,7 +223,7 @@ TEST(ContinuumSurfaceForce, IsYoungsAtTheContactLine)
         for (const double theta : {wedge - 30, wedge, wedge + 30})
         {
             LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta " + std::to_string(theta) + "; }"});
-            drop.walls.requireContactAngles();
+            drop.useWalls();
             const auto tension = makeTension(drop);
             const auto points = latticeWedge(wedge, 7, 25, 16);
             const auto force = tensionOf(drop, *tension, points);

@@ -56,7 +56,7 @@ TEST(LaplacePressure, BalancesTheSamePressureInAllParticlesOfABall)
         {
             LiquidCase drop;
             const auto tension = makeTension(drop);
-            drop.surface.setOrdering(k == 0 ? 1 : 1.2f);
+            drop.surface.agreed().ordering = k == 0 ? 1 : 1.2f;
             const auto force = tensionOf(drop, *tension, points);
             for (std::size_t i = 0; i < points.size(); ++i)
             {
@@ -98,7 +98,7 @@ TEST(LaplacePressure, DrawsAThinRimOutOverAWallThatItWets)
     for (const double wedge : {20.0, 30.0})
     {
         LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta 0; }"});
-        drop.walls.requireContactAngles();
+        drop.useWalls();
         const auto points = latticeWedge(wedge, 12, 25, 6);
         const auto force = tensionOf(drop, *makeTension(drop), points);
         double along = 0;
@@ -115,7 +115,7 @@ TEST(LaplacePressure, DrawsAThinRimOutOverAWallThatItWets)
 TEST(LaplacePressure, DrawsNothingOutOfAFilmThatIsStretched)
 {
     LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta 0; }"});
-    drop.walls.requireContactAngles();
+    drop.useWalls();
     constexpr scalar stretch = 1.3f;
     auto points = latticeWedge(20, 12, 25, 6);
     for (Vec3& x : points) x = {stretch * x.x, stretch * x.y, x.z};
@@ -139,7 +139,7 @@ TEST(LaplacePressure, IsYoungsAtTheContactLine)
         for (const double theta : {wedge - 30, wedge, wedge + 30})
         {
             LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta " + std::to_string(theta) + "; }"});
-            drop.walls.requireContactAngles();
+            drop.useWalls();
             const auto points = latticeWedge(wedge, 7, 25, 16);
             const auto force = tensionOf(drop, *makeTension(drop), points);
             const double along = forceAlongWall(points, force, wedge);

@@ -41,7 +41,7 @@ struct MeanCurvature
 std::vector<SeenCurvature> curvaturesOf(LiquidCase& drop, const std::vector<Vec3>& points)
 {
     const Dictionary coeffs = Dictionary::parse("", "constant/models");
-    RegressedCurvature curvature(coeffs, drop.liquid, drop.walls, drop.surface, 1);
+    RegressedCurvature curvature(coeffs, drop.liquid, drop.surface, 1);
     drop.place(points);
     const CurvatureField field = curvature(drop.liquid, drop.near, drop.walls);
     const auto kappa = field.curvature.download();
@@ -93,7 +93,7 @@ TEST(RegressedCurvature, OfACapAtItsContactAngleIsThatOfTheBall)
                 const double theta = std::acos(double(-centre / radius)) * 180 / std::numbers::pi;
                 if (!(std::abs(theta - middle) < 4)) continue;
                 LiquidCase ball, cap({.walls = floorPlane, .wettability = "floor { theta " + std::to_string(theta) + "; }"});
-                cap.walls.requireContactAngles();
+                cap.useWalls();
                 std::vector<Vec3> whole = latticeBall(radius, {0, 0, centre}), above;
                 std::copy_if(whole.begin(), whole.end(), std::back_inserter(above), [](Vec3 x) { return x.z > 0; });
                 for (const auto& [x, kappa, share] : curvaturesOf(ball, whole)) free[x.z].add(kappa * radius, share);

@@ -1,4 +1,4 @@
-#include "models/wetting/Wetting.H"
+#include "models/Models.H"
 
 #include "device/Device.H"
 #include "support/PairForceMeter.H"
@@ -97,7 +97,8 @@ TEST(AdhesionRatio, NeedsACentralForceAndAnAngle)
         EXPECT_TRUE(holds(messageOf([&] { Wetting::New(models, drop.liquid, drop.walls, *tension); }), {"constant/models"}));
     }
     LiquidCase drop({.walls = floorPlane});
-    EXPECT_TRUE(holds(messageOf([&] { pullOfWall(drop, "Kondo2007", {0, 0, 1}); }), {"floor"}));
+    drop.folder.write("constant/models", "pressure none; surfaceTension Kondo2007; wetting adhesionRatio; viscosity none; bodyForce none;");
+    EXPECT_TRUE(holds(messageOf([&] { Models(drop.folder.path(), Dictionary(), drop.liquid, drop.walls); }), {"floor"}));
 }
 
 TEST(AdhesionRatio, LaunchesNothingWithoutWalls)

@@ -36,7 +36,7 @@ TEST(ExtendedSurface, GivesTheReconstructionTheContactAngle)
 {
     for (const bool on : {true, false})
     {
-        LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta 60; }"});
+        LiquidCase drop({.walls = floorPlane, .wettability = on ? "floor { theta 60; }" : ""});
         const Dictionary models = Dictionary::parse
         (
             std::string("surfaceTension continuumSurfaceForce; wetting ") + (on ? "extendedSurface;" : "none;")
