@@ -43,7 +43,7 @@ StoredNumber onLogarithms(const Curve& curve, double x)
 }
 
 // How near runs must be to tell: where the weight is exp(-1/2). Chosen by how well stored runs are foretold that are left out
-// (doc/advice.md).
+// (doc/notebook/advice.md).
 constexpr double nearParticles = 1.3, nearChoice = 2, nearBond = 1.5;      // ratios
 constexpr double nearAngle = 15;                        // degrees
 constexpr double power = 1.5;                           // of errors, in their mean

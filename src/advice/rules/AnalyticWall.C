@@ -23,7 +23,7 @@ public:
             if (wall.type != "particles") continue;
             const std::string reason = obstacle(wall, scene);
             if (!reason.empty()) return Advice{"keep particles", reason, "constant/triSurface, constant/wettability"};
-            // The rung's own step: a longer one changes both walls alike (doc/advice.md: 0.1 % between them at four times its length).
+            // The rung's own step: a longer one changes both walls alike (doc/notebook/advice.md: 0.1 % between them at four times its length).
             const std::vector<double> steps = scene.studies->steps("analyticWall", "default");
             if (steps.empty()) return std::nullopt;
             const auto change = scene.studies->error

@@ -6,7 +6,7 @@
 //     dt^2 p/(rho d^2) = dt^2 (g H + U^2)/d^2,        U: the speed with which it meets a wall
 //
 // which is how far, in spacings, its pressure would throw it in that time. A block a hundred spacings deep that falls on a floor lost
-// 0.6, 2.4, 8 and 17 % of its volume at 0.07, 0.27, 1.1 and 4.4 (doc/performance.md, One simulated second): from 0.1 on the grid is worth its time.
+// 0.6, 2.4, 8 and 17 % of its volume at 0.07, 0.27, 1.1 and 4.4 (doc/notebook/performance.md, One simulated second): from 0.1 on the grid is worth its time.
 // In so few steps liquid that it throws is sheared with its lattice, into pairs that read as dense where a tenth of it is missing: they are parted (the same page).
 
 #include "advice/Rule.H"
@@ -48,7 +48,7 @@ public:
         {
             "keep", deepest == 0 ? "no liquid is deeper than the " + number(reach) + " spacings that its iterations reach" :
             "its iterations reach " + number(reach) + " of " + number(deepest) + " spacings, and its pressure would throw it by " +
-            number(thrown) + " of one in a sub-step", "doc/performance.md; src/advice/rules/DeepLiquid.C"
+            number(thrown) + " of one in a sub-step", "doc/notebook/performance.md; src/advice/rules/DeepLiquid.C"
         };
         const bool needed = thrown > most;
         std::string& shifting = scene.models["particleShifting"];

@@ -7,7 +7,7 @@
 //
 //     nu_XSPH = c s^2/(2 dt),    s^2 = 3/40 h^2
 //
-// instead (doc/theory/viscosity.md), whatever the liquid's nu is.
+// instead (doc/notebook/theory/viscosity.md), whatever the liquid's nu is.
 
 #include "advice/Rule.H"
 #include "reference/DropOscillation.H"
@@ -39,7 +39,7 @@ public:
         if (model == "XSPH")
         {
             advice.reason += "; XSPH takes " + percent(smoothed) + " (nu_XSPH = " + number(smoothing) + " m2/s)";
-            advice.source += ", doc/theory/viscosity.md";
+            advice.source += ", doc/notebook/theory/viscosity.md";
         }
         std::string better = model;
         if (effect <= scene.tolerance && (model == "laminar" || (model == "XSPH" && smoothed <= scene.tolerance)))

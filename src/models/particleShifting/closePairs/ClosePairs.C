@@ -8,7 +8,7 @@
 // A kernel's slope falls towards its middle, so that a pair which has come close is hardly driven apart any more (pairing: Price 2012, Dehnen
 // and Aly 2012). Liquid that is sheared with the lattice it started from ends in columns of such pairs, which a density reads as full
 // where a tenth of the particles is missing. Shifting by the density's gradient (Lind et al. 2012) parts pairs as well, but moves
-// calm liquid, too: trials in doc/theory/particleShifting.md.
+// calm liquid, too: trials in doc/notebook/theory/particleShifting.md.
 //
 //     particleShifting    closePairs;         // in constant/models
 //     closePairsCoeffs    { distance 0.95; }  // a, spacings, up to 1

@@ -10,7 +10,7 @@
 // start, 3.4); a restarted run begins without. Negative pressures are clamped, as in the paper; since a warm start may be too
 // much, the clamp is of the sum that a step applies, not of each iteration's part. Divergence is left alone where it is
 // negative, and where particles have fewer than 0.6 of a full neighbourhood's neighbours (20 of 32): the surface may open.
-// The walls' share in rho is (8) of doc/theory/pbf.md; they push with the particle's own kappa (Akinci et al. 2012).
+// The walls' share in rho is (8) of doc/notebook/theory/pbf.md; they push with the particle's own kappa (Akinci et al. 2012).
 //
 //     pressure    DFSPH;                  // in constant/models
 //     pressure                            // in system/solution

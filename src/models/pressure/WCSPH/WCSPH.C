@@ -5,7 +5,7 @@
 //     c   = v/sqrt(eta)                                                                shared/SoundSpeed.H
 //
 // Walls push with the particle's own pressure, p_i/rho_i^2 (Akinci et al. 2012, equation (9)). The density is the sum (8) of
-// doc/theory/pbf.md; viscosity and tension are models of their own, so nothing of the paper's is in here.
+// doc/notebook/theory/pbf.md; viscosity and tension are models of their own, so nothing of the paper's is in here.
 //
 //     pressure    WCSPH;                  // in constant/models
 //     pressure    { maxDensityVariation 0.01; maxSpeed 1; }       // in system/solution

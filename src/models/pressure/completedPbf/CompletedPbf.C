@@ -15,7 +15,7 @@
 //
 // G_i = sum_j V grad W_ij + grad(walls) of the neighbours as they lie, g_i what a planar surface at depth s_i has. Their
 // difference is the particle's disorder, and e_i orders the particles: under suction, where the sum alone would let them clump,
-// and o times as strongly as the sum alone under pressure (doc/theory/completedPbf.md). Ordering is internal: what all e_i of a
+// and o times as strongly as the sum alone under pressure (doc/notebook/theory/completedPbf.md). Ordering is internal: what all e_i of a
 // step move and turn as a whole is taken back at its end (models/forces/NetMotion.H). So is what walls of one contact angle give along themselves: liquid does not slide by
 // itself where it wets alike everywhere. What an order of the particles would bear of shear is taken out once a step (OrderStress.H).
 //
@@ -34,7 +34,7 @@
 // With coarseGrid the first half of the iterations that are allowed also correct on a grid; the others even out what it leaves.
 //
 // maxIterations is meant for steps up to the capillary one sqrt(rho d^3/(2 pi sigma)); a longer one, which moves particles
-// farther, may make more towards the tolerance, by the root of how much longer it is. Trials: doc/theory/completedPbf.md.
+// farther, may make more towards the tolerance, by the root of how much longer it is. Trials: doc/notebook/theory/completedPbf.md.
 
 #include "device/Holds.H"
 #include "freeSurface/FreeSurface.H"

@@ -5,7 +5,7 @@
 //     dp_i = -w [ sum_j V (s_i + s_j) grad W_ij + sum_k V_k s_i grad W_ik ],   V = m/rho0            (6)
 //
 // An analytic wall stands in the sums as one particle with the half-space's gradient. Choices where the paper is
-// silent, measured in doc/theory/pbf.md:
+// silent, measured in doc/notebook/theory/pbf.md:
 //
 //     pressure
 //     {

@@ -21,12 +21,12 @@
 // capillary one, sqrt(rho d^3/(2 pi sigma)), it is smaller by the square of how much longer: the waves that it hastens would grow.
 //
 // No cohesion enters, so no internal pressure locks the particles; sigma and theta are the user's, and no other constant depends on
-// them or on the case. Which were chosen by trial, and by which: doc/theory/constants.md.
+// them or on the case. Which were chosen by trial, and by which: doc/notebook/theory/constants.md.
 // Where the surface is hollow the pressure behind it may fall to 1.5 sigma kappa, and to -sigma/d away from the surface.
 //
 // The tension of closed surfaces, and of those that meet a plane everywhere at one angle, does not move liquid as a whole;
 // the sums do a little, and it is taken back (models/forces/NetMotion.H).
-// What was tried, and what each choice gave, stands in doc/theory/continuumSurfaceForce.md.
+// What was tried, and what each choice gave, stands in doc/notebook/theory/continuumSurfaceForce.md.
 //
 //     surfaceTension  continuumSurfaceForce;
 //     continuumSurfaceForceCoeffs { support 3.25; }   // of the normals and the curvature, in spacings; at least 1.5 of the kernel's

@@ -24,7 +24,7 @@
 // sigma and theta are the user's; no number here was chosen by trial but the bounds of R, which is 1.1 in calm drops,
 // and the densities between which the pull on a film ends.
 // Where the surface is hollow the pressure behind it may fall to 1.5 sigma kappa, and to -sigma/d away from the surface.
-// Why, and what each part gives: doc/theory/laplacePressure.md.
+// Why, and what each part gives: doc/notebook/theory/laplacePressure.md.
 //
 //     surfaceTension  laplacePressure;
 //     laplacePressureCoeffs { support 3.25; }         // of the normals and the curvature, in spacings; at least 1.5 of the kernel's
