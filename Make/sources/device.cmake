@@ -68,6 +68,10 @@ set(SHIZUKU_DEVICE_SOURCES
     models/viscosity/none/none.C
     models/viscosity/XSPH/XSPH.C
     models/viscosity/laminar/Laminar.C
+    models/viscosity/newtonian/Newtonian.C
+    models/velocityFilter/VelocityFilter.C
+    models/velocityFilter/none/none.C
+    models/velocityFilter/affine/Affine.C
     models/bodyForce/BodyForce.C
     models/bodyForce/none/none.C
     models/bodyForce/gravity/Gravity.C

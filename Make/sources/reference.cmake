@@ -5,4 +5,5 @@ set(SHIZUKU_REFERENCE_SOURCES
     reference/DropOscillation.C
     reference/FlowNumbers.C
     reference/TubeMeniscus.C
+    reference/ViscousDrop.C
 )

@@ -9,7 +9,7 @@ using namespace shizuku::test;
 
 TEST(Viscosity, ConservesMomentum)
 {
-    for (const std::string word : {"XSPH", "laminar"})
+    for (const std::string word : {"XSPH", "laminar", "newtonian"})
     {
         for (const std::string kernel : {"type cubicSpline; support 2;", "type poly6Spiky; support 2.5;"})
         {
@@ -39,7 +39,7 @@ TEST(Viscosity, ConservesMomentum)
 
 TEST(Viscosity, LeavesUniformMotionAlone)
 {
-    for (const std::string word : {"XSPH", "laminar", "none"})
+    for (const std::string word : {"XSPH", "laminar", "newtonian", "none"})
     {
         LiquidCase drop;
         drop.place(latticeBall(3), std::vector<Vec3>(latticeBall(3).size(), {1, -2, 0.3f}));

@@ -1,12 +1,13 @@
-// type oscillation;  within 2;
-// The period in which a free drop swings in mode 2 against Rayleigh's, in percent; damping against Lamb's for
-// information. The swing is read off the particles' second moments along z and across,
+// type oscillation;  within 2;  dampingWithin 20;
+// The period in which a free drop swings in mode 2 against that of a drop of its viscosity, in percent; so its damping, for information where
+// dampingWithin is left out. The swing is read off the particles' second moments along z and across,
 //     q = (M_zz - (M_xx + M_yy)/2)/(M_xx + M_yy + M_zz),
 // linear in a small amplitude, and fitted by a damped oscillation. The trace is written to oscillation.csv.
 
 #include "Comparison.H"
 #include "core/fieldFile/CsvFile.H"
 #include "reference/DropOscillation.H"
+#include "reference/ViscousDrop.H"
 
 #include <cmath>
 #include <numbers>
@@ -36,7 +37,11 @@ double elongation(const std::vector<Vector3>& positions)
 class OscillationComparison : public Comparison
 {
 public:
-    explicit OscillationComparison(const Dictionary& dict) : within_(dict.lookupPositive("within", dimensions::none)) {}
+    explicit OscillationComparison(const Dictionary& dict)
+    :
+        within_(dict.lookupPositive("within", dimensions::none)),
+        dampingWithin_(dict.found("dampingWithin") ? dict.lookupPositive("dampingWithin", dimensions::none) : std::nan(""))
+    {}
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
@@ -47,10 +52,12 @@ public:
             t.push_back(time.value);
             q.push_back(elongation(results.positions(time)));
         }
-        const double frequency = dropFrequency(mode, results.sigma, results.rho, results.radius());
-        const auto fit = fitDampedOscillation(t, q, frequency);
+        const double radius = results.radius(), inviscid = dropFrequency(mode, results.sigma, results.rho, radius);
+        const DropMode exact = results.nu > 0
+          ? viscousDropMode(mode, results.nu, results.sigma, results.rho, radius) : DropMode{0, inviscid};
+        const auto fit = fitDampedOscillation(t, q, exact.frequency > 0 ? exact.frequency : inviscid);
         const double none = std::nan("");
-        const double period = 2*std::numbers::pi/frequency;
+        const double period = 2*std::numbers::pi/exact.frequency;          // infinite where it creeps
 
         CsvFile trace
         (
@@ -63,12 +70,12 @@ public:
         return
         {
             relativeRow("period", "s", period, fit ? 2*std::numbers::pi/fit->frequency : none, within_),
-            relativeRow("damping", "1/s", dropDamping(mode, results.nu, results.radius()), fit ? fit->damping : none, none)
+            relativeRow("damping", "1/s", exact.damping, fit ? fit->damping : none, dampingWithin_)
         };
     }
 
 private:
-    double within_;
+    double within_, dampingWithin_;
 };
 
 static const ComparisonTable::Add<OscillationComparison> registered{"oscillation"};

@@ -1,0 +1,22 @@
+// Velocities stay what the step has made them.
+
+#include "models/velocityFilter/VelocityFilter.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+class NoFilter : public VelocityFilter
+{
+public:
+    NoFilter(const Dictionary&, Liquid&) {}
+    void apply(Liquid&, const Neighbourhood&, const Walls&, scalar) override {}
+};
+
+const VelocityFilterTable::Add<NoFilter> registered{"none"};
+
+}
+
+}

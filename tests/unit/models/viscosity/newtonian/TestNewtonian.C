@@ -1,0 +1,229 @@
+#include "models/viscosity/Viscosity.H"
+
+#include "support/LiquidCase.H"
+#include "support/MotionSums.H"
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+CaseText liquidOf(const std::string& nu, const std::string& walls = {})
+{
+    return {.liquidProperties = "rho 1000; nu " + nu + "; sigma 0.072;", .walls = walls};
+}
+
+std::vector<Vec3> disorderedBall(scalar radius)
+{
+    std::vector<Vec3> points = latticeBall(radius);
+    RandomNumbers random(3);
+    disorder(points, 0.2f, random);
+    return points;
+}
+
+// Velocities behind one step of dt (scaled), in the order of the points.
+std::vector<Vec3> after
+(
+    LiquidCase& drop, const std::vector<Vec3>& points, const std::vector<Vec3>& velocities, scalar dt, const std::string& coeffs = ""
+)
+{
+    drop.place(points, velocities);
+    const auto model = Viscosity::New(Dictionary::parse("viscosity newtonian; newtonianCoeffs { " + coeffs + " }"), drop.liquid);
+    EXPECT_EQ(model->stepLimit(drop.liquid.properties()), std::numeric_limits<double>::infinity());
+    model->apply(drop.liquid, drop.near, drop.walls, dt);
+    return drop.inOrder(drop.liquid.velocity);
+}
+
+scalar scaledNu(const LiquidCase& drop)
+{
+    return drop.liquid.units().toScaled(drop.liquid.properties().viscosity, dimensions::kinematicViscosity);
+}
+
+}
+
+TEST(Newtonian, WithoutAViscosityIsTheIdentity)
+{
+    LiquidCase drop(liquidOf("0", floorPlane));
+    const auto points = randomPoints(200, {0, 0, 0.2f}, {5, 5, 5});
+    const auto velocities = randomPoints(200, {-1, -1, -1}, {1, 1, 1}, 2);
+    const auto result = after(drop, points, velocities, 0.1f);
+    for (std::size_t i = 0; i < points.size(); ++i) ASSERT_EQ(norm(result[i] - velocities[i]), 0);
+}
+
+// At any viscosity: with nu dt/d^2 of 0.002, 0.2 and 20.
+TEST(Newtonian, LeavesRigidMotionAlone)
+{
+    const auto points = disorderedBall(5);
+    std::vector<Vec3> rigid;
+    for (const Vec3& p : points) rigid.push_back(Vec3{0.3f, 0, -0.2f} + cross(Vec3{0.1f, -0.2f, 0.15f}, p));
+    for (const std::string nu : {"1e-6", "1e-4", "1e-2"})
+    {
+        LiquidCase drop(liquidOf(nu));
+        const auto result = after(drop, points, rigid, 0.5f);
+        // Velocities of order one: their roundings of 6e-8, which a stiff step lessens, and gradients of them.
+        for (std::size_t i = 0; i < points.size(); ++i) ASSERT_LT(norm(result[i] - rigid[i]), 3e-6f) << nu;
+    }
+}
+
+TEST(Newtonian, KeepsMomentumAndAngularMomentum)
+{
+    const auto points = disorderedBall(5);
+    const auto velocities = randomPoints(int(points.size()), {-1, -1, -1}, {1, 1, 1}, 2);
+    for (const std::string nu : {"1e-5", "1e-3", "1e-1"})
+    {
+        LiquidCase drop(liquidOf(nu));
+        const auto result = after(drop, points, velocities, 0.2f);
+        const MotionSums before = motionOf(points, velocities), now = motionOf(points, result);
+        EXPECT_LT(now.energy, 0.95 * before.energy) << nu;
+        // 500 velocities of order one, rounded to 6e-8 once for each of up to a hundred iterations, at distances of up to 5.
+        for (int c = 0; c < 3; ++c)
+        {
+            EXPECT_NEAR(now.momentum[c], before.momentum[c], 1e-4) << nu;
+            EXPECT_NEAR(now.angular[c], before.angular[c], 5e-4) << nu;
+        }
+    }
+}
+
+// A short step takes 2 nu dt D:D of a linear flow's energy for each particle, the outermost ones too, whether it turns or not: a Laplacian would take
+// |grad u|^2.
+TEST(Newtonian, TakesThePowerOfTheStress)
+{
+    const auto points = disorderedBall(5);
+    const scalar dt = 0.01f;
+    for (const Vec3 shear : {Vec3{1, 1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}})
+    {
+        // u = (shear.x y + shear.z x, shear.y x - shear.z y, 0): strained without turning, sheared, stretched.
+        std::vector<Vec3> velocities;
+        for (const Vec3& p : points) velocities.push_back({shear.x * p.y + shear.z * p.x, shear.y * p.x - shear.z * p.y, 0});
+        LiquidCase drop(liquidOf("1e-5"));
+        const auto result = after(drop, points, velocities, dt, "tolerance 1e-5;");
+        const double taken = motionOf(points, velocities).energy - motionOf(points, result).energy;
+        const double d = drop.liquid.spacing(), offDiagonal = 0.5 * (shear.x + shear.y);
+        const double rate = 2 * (2 * offDiagonal * offDiagonal + 2 * double(shear.z) * shear.z);    // 2 D:D, of velocities per spacing
+        const double expected = scaledNu(drop) * dt / (d * d) * rate * double(points.size());
+        EXPECT_NEAR(taken / expected, 1, 0.01);     // the first order of dt: nu dt/d^2 is 4e-4, and the ball's own decay 0.004 at its rim
+    }
+}
+
+// The form is never below zero: no velocities gain energy, whatever they are, and however the particles lie.
+TEST(Newtonian, NeverGivesEnergy)
+{
+    LiquidCase drop(liquidOf("1e-4"));
+    for (unsigned seed = 1; seed <= 5; ++seed)
+    {
+        const auto points = randomPoints(300, {0, 0, 0}, seed < 3 ? Vec3{6, 6, 6} : Vec3{14, 14, 0.5f}, seed);
+        const auto velocities = randomPoints(300, {-1, -1, -1}, {1, 1, 1}, seed + 10);
+        const auto result = after(drop, points, velocities, 0.1f);
+        EXPECT_LT(motionOf(points, result).energy, motionOf(points, velocities).energy);
+    }
+}
+
+// Between two walls, 8 spacings apart, pulled along them by a force until nothing changes any more: u = g z (H - z)/(2 nu). Six steps of H^2/nu leave nothing of
+// the slowest decay. The ends, which are free of stress, are as far from what is looked at as one and a half times H.
+TEST(Newtonian, FlowsBetweenWallsAsPoiseuilleHasIt)
+{
+    for (const bool sampled : {false, true})
+    {
+        CaseText text = liquidOf("1e-3", sampled ? sampledFloor : floorPlane + " lid { type plane; point (0 0 8e-3); normal (0 0 -1); }");
+        if (sampled)
+        {
+            text.solidPositions = latticeBlock(41, 15, 1, 0.9f, {-18, -6.3f, -0.5f});
+            text.solidNormals.assign(text.solidPositions.size(), {0, 0, 1});
+            for (const Vec3& k : latticeBlock(41, 15, 1, 0.9f, {-18, -6.3f, 8.5f})) text.solidPositions.push_back(k);
+            text.solidNormals.resize(text.solidPositions.size(), {0, 0, -1});
+        }
+        LiquidCase gap(text);
+        auto points = latticeBlock(30, 8, 8, 1, {-14.5f, -3.5f, 0.5f});
+        RandomNumbers random(3);
+        disorder(points, 0.15f, random);
+        gap.place(points);
+        const auto model = Viscosity::New(Dictionary::parse("viscosity newtonian;"), gap.liquid);
+        const scalar nu = scaledNu(gap), height = 8 * gap.liquid.spacing(), dt = height * height / nu;
+        const scalar pull = 8 * nu / (height * height);                 // for a velocity of 1 amid the gap
+        for (int step = 0; step < 6; ++step)
+        {
+            auto velocity = gap.liquid.velocity.download();
+            for (Vec3& u : velocity) u.x += pull * dt;
+            gap.liquid.velocity.upload(velocity);
+            model->apply(gap.liquid, gap.near, gap.walls, dt);
+        }
+        const auto result = gap.inOrder(gap.liquid.velocity);
+        double worst = 0, mean = 0, expected = 0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            if (std::abs(points[i].x) > 3) continue;
+            const double z = points[i].z / 8, exact = 4 * z * (1 - z);
+            worst = std::max(worst, std::abs(result[i].x - exact));
+            mean += result[i].x;
+            expected += exact;
+        }
+        // Walls that are a fifth of a spacing off are 12 % of the mean.
+        EXPECT_NEAR(mean / expected, 1, 0.12) << sampled;
+        EXPECT_LT(worst, 0.15) << sampled;
+    }
+}
+
+// Navier: liquid that slips with the length b is as fast as if the wall were b farther off; without friction a wall takes nothing.
+TEST(Newtonian, SlipsAsFarAsTheUserSays)
+{
+    const auto points = latticeBlock(9, 9, 4, 1, {-4, -4, 0.5f});
+    const std::vector<Vec3> along(points.size(), {1, 0, 0});
+    const auto lost = [&](const std::string& coeffs)
+    {
+        LiquidCase flow(liquidOf("1e-6", floorPlane));
+        double sum = 0;
+        for (const Vec3& u : after(flow, points, along, 0.01f, "tolerance 1e-6; startedLayers no; " + coeffs)) sum += 1 - u.x;
+        return sum / 81;
+    };
+    LiquidCase flow(liquidOf("1e-6", floorPlane));
+    const scalar d = flow.liquid.spacing(), nu = scaledNu(flow);
+    const auto table = tabulateHalfSpace(flow.liquid.kernel());
+    const HalfSpaceView plane{{table.data(), int(table.size())}, flow.liquid.support()};
+    const auto expected = [&](scalar slip)
+    {
+        double sum = 0;
+        for (const scalar s : {0.5f, 1.5f}) sum += 2 * plane(s * d).gradient * nu * 0.01f / (s * d + slip * d);
+        return sum;
+    };
+    // Differences of velocities of one, 6e-8 each, beside 0.01 and less; and the step's second order, 1e-4 of it.
+    EXPECT_NEAR(lost("") / expected(0), 1, 1e-2);
+    EXPECT_NEAR(lost("slipLength 1e-3;") / expected(1), 1, 1e-2);
+    EXPECT_EQ(lost("noSlip no;"), 0);
+    EXPECT_EQ(lost("noSlip no; slipLength 0;"), 0);
+}
+
+// Stokes' first problem: liquid that is set going at once has lost 2 sqrt(nu t/pi) of its velocity for each unit of the wall, whatever the steps, as long as
+// the layer is thinner than where the particles are; what is set going anew begins anew.
+TEST(Newtonian, HoldsWhatHasJustStartedAsStokesDoes)
+{
+    LiquidCase flow(liquidOf("1e-6", floorPlane));
+    flow.place(latticeBlock(9, 9, 4, 1, {-4, -4, 0.5f}), std::vector<Vec3>(324, {1, 0, 0}));
+    const auto model = Viscosity::New(Dictionary::parse("viscosity newtonian;"), flow.liquid);
+    const scalar d = flow.liquid.spacing(), nu = scaledNu(flow), dt = 2e-4f * d * d / nu;
+    const auto lost = [&]
+    {
+        double sum = 0;
+        for (const Vec3& u : flow.inOrder(flow.liquid.velocity)) sum += 1 - u.x;
+        return sum / 81 * d;
+    };
+    for (int step = 1; step <= 100; ++step)
+    {
+        model->apply(flow.liquid, flow.near, flow.walls, dt);
+        // The particles themselves slow down, by 0.16 in the end; and g of two layers adds up to a half within 2 %.
+        if (step != 1 && step != 10 && step != 100) continue;
+        EXPECT_NEAR(lost() / (2 * std::sqrt(nu * step * dt / std::numbers::pi)), 1, 0.1) << step;
+    }
+}
+
+TEST(Newtonian, RefusesCoefficientsOutOfRange)
+{
+    LiquidCase drop;
+    const auto make = [&](const std::string& coeff)
+    {
+        Viscosity::New(Dictionary::parse("viscosity newtonian; newtonianCoeffs { " + coeff + "; }", "constant/models"), drop.liquid);
+    };
+    EXPECT_TRUE(holds(messageOf([&] { make("slipLength -1e-6"); }), {"constant/models", "slipLength", "0 m or more"}));
+    EXPECT_TRUE(holds(messageOf([&] { make("tolerance 1"); }), {"constant/models", "tolerance", "below 1"}));
+    EXPECT_TRUE(holds(messageOf([&] { make("maxIterations 0"); }), {"constant/models", "maxIterations", "1 or more"}));
+}
