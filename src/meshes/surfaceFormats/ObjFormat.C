@@ -15,9 +15,10 @@ public:
     {
         writeAtomically(file, [&](std::ostream& out)
         {
-            out.precision(std::numeric_limits<float>::max_digits10);
             out << "# lengths in metres\n";
-            for (const Vector3& v : mesh.vertices) out << "v " << float(v.x) << ' ' << float(v.y) << ' ' << float(v.z) << '\n';
+            out.precision(std::numeric_limits<double>::max_digits10);
+            for (const Vector3& v : mesh.vertices) out << "v " << v.x << ' ' << v.y << ' ' << v.z << '\n';
+            out.precision(std::numeric_limits<float>::max_digits10);
             for (const Vector3& n : mesh.normals) out << "vn " << float(n.x) << ' ' << float(n.y) << ' ' << float(n.z) << '\n';
             for (const auto& face : mesh.faces)
             {
