@@ -199,6 +199,7 @@ void Expansion::include(const Tree& directive, const std::function<void(const So
                 "a file that does not include itself in the end");
         }
     }
+    limits_.include(where, files_.size());
     take(SourceText(readText(*file), file->string()));
 }
 
@@ -217,6 +218,7 @@ void Expansion::addDirectiveItems(Tree& value, const Tree& directive)
     {
         include(directive, [&](const SourceText& source)
         {
+            limits_.read(data.where, source.text().size());
             files_.push_back(source.name());
             for (const auto& [key, item] : parseItems(source)) addItem(value, item);
             files_.pop_back();
