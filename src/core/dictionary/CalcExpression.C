@@ -58,6 +58,7 @@ struct Function
 {
     std::size_t arguments;
     std::function<double(const Terms&, Values)> value;
+    bool mayHaveNone = false;
 };
 
 Function unary(double (*f)(double))
@@ -68,6 +69,12 @@ Function unary(double (*f)(double))
 Function binary(double (*f)(double, double))
 {
     return {2, [f](const Terms& x, Values v) { return f(x[0](v), x[1](v)); }};
+}
+
+// f(x), and f() for f(1): the factor of a conversion of units, as OpenFOAM writes it too.
+Function conversion(double (*f)(double))
+{
+    return {1, [f](const Terms& x, Values v) { return f(x.empty() ? 1 : x[0](v)); }, true};
 }
 
 double chosen(const Terms& x, Values v)
@@ -86,8 +93,10 @@ const std::map<std::string, Function>& functions()
         {"sin", unary(std::sin)}, {"cos", unary(std::cos)}, {"tan", unary(std::tan)},
         {"asin", unary(std::asin)}, {"acos", unary(std::acos)}, {"atan", unary(std::atan)},
         {"floor", unary(std::floor)}, {"ceil", unary(std::ceil)},
-        {"degToRad", unary(radians)},
-        {"radToDeg", unary(degrees)},
+        {"degToRad", conversion(radians)}, {"radToDeg", conversion(degrees)},
+        {"asinh", unary(std::asinh)}, {"acosh", unary(std::acosh)}, {"atanh", unary(std::atanh)},
+        {"cbrt", unary(std::cbrt)}, {"erf", unary(std::erf)}, {"round", unary(std::round)},
+        {"pow3", unary([](double x) { return x*x*x; })}, {"sign", unary([](double x) { return x >= 0 ? 1.0 : -1.0; })},
         {"atan2", binary(std::atan2)}, {"hypot", binary(std::hypot)}, {"pow", binary(std::pow)},
         {"min", binary(std::fmin)}, {"max", binary(std::fmax)},
         {"if", {3, chosen}},
@@ -110,7 +119,7 @@ Term call(const Evaluation& evaluation, const std::string& name, const Terms& ar
         );
     }
     const Function& function = found->second;
-    if (arguments.size() != function.arguments)
+    if (arguments.size() != function.arguments && !(function.mayHaveNone && arguments.empty()))
     {
         evaluation.fail
         (

@@ -25,6 +25,12 @@ void forgetUse(Tree& node)
 Tree Expansion::resolve(const std::string& name, const SourceLocation& where)
 {
     const ExpansionLimits::Nested nested(limits_, where);
+    if (name.starts_with('{') && name.ends_with('}'))      // ${{ expression }}
+    {
+        Tree entry(NodeData{NodeKind::entry, "", KeywordStyle::word, where, {}, {}, false, {}});
+        addCalculated(entry, name.substr(1, name.size() - 2), NodeData{NodeKind::number, "", KeywordStyle::word, where, {}, {}, false, {}});
+        return entry;
+    }
     const std::size_t fallback = name.find(":-");
     std::string key = name.substr(0, fallback);
     if (key.find('$') != std::string::npos) key = withMacros(key, where);      // ${coeffs_${model}}
