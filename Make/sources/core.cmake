@@ -21,8 +21,10 @@ set(SHIZUKU_CORE_SOURCES
     core/dictionary/EntryText.C
     core/dictionary/Expansion.C
     core/dictionary/ExpansionDirectives.C
+    core/dictionary/ExpansionLimits.C
     core/dictionary/ExpansionMacros.C
     core/dictionary/IncludeFile.C
+    core/dictionary/KeywordPattern.C
     core/dictionary/MacroScope.C
     core/dictionary/ValueReader.C
     core/fieldFile/AtomicFile.C

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <utility>
 
+#include <unistd.h>
+
 namespace shizuku
 {
 
@@ -16,6 +18,7 @@ namespace
 {
 
 constexpr double maxParticles = std::numeric_limits<int>::max();
+constexpr double bytesPerParticle = 64;                 // while they are placed: cells of positions and parts, and what is kept of them
 constexpr int n = 6;                    // parts of a cell's edge; n^3 of them tell how far it is inside
 
 // Cells that have a part in the body, x running fastest.
@@ -129,6 +132,16 @@ std::vector<Vector3> fillLattice(const LiquidBody& body, double spacing, const S
         found << "The body has a volume of " << body.volume() << " m3, which is " << exact << " particles of spacing "
               << spacing << " m";
         throw FatalInputError(where, found.str(), "at most 2^31 - 1 particles: lengths in metres, a larger spacing");
+    }
+
+    const double needed = exact*bytesPerParticle, there = double(sysconf(_SC_PHYS_PAGES))*double(sysconf(_SC_PAGE_SIZE));
+    if (needed > there)
+    {
+        constexpr double giga = 1e9;
+        std::ostringstream found;
+        found << "The body would be " << exact << " particles of spacing " << spacing << " m, which take " << needed/giga
+              << " GB of memory to place; this machine has " << there/giga << " GB";
+        throw FatalInputError(where, found.str(), "a smaller body, or a larger spacing in system/solution");
     }
 
     Cells cells = Lattice(body, spacing).cells();

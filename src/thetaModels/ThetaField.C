@@ -1,6 +1,7 @@
 #include "thetaModels/ThetaField.H"
 
 #include "caseFiles/SampledWall.H"
+#include "core/dictionary/KeywordPattern.H"
 #include "meshes/ObjFile.H"
 #include "meshes/StlFile.H"
 #include "thetaModels/ThetaModel.H"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 #include <sstream>
 
 namespace shizuku
@@ -43,14 +43,11 @@ std::unique_ptr<ThetaModel> readModel
 }
 
 // A keyword may be a pattern that stands for several names.
-bool meansAnyOf(const std::string& keyword, const std::vector<std::string>& names)
+bool meansAnyOf(const std::string& keyword, const std::vector<std::string>& names, const SourceLocation& where)
 {
     if (std::find(names.begin(), names.end(), keyword) != names.end()) return true;
-    const std::regex pattern(keyword, std::regex::extended);
-    return std::any_of
-    (
-        names.begin(), names.end(), [&](const std::string& name) { return std::regex_match(name, pattern); }
-    );
+    const KeywordPattern pattern(keyword, where);
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return pattern.matches(name); });
 }
 
 // Where the patches' names come from: "; wall 'hills' has the patches top, side". Surfaces that name none have the wall's.
@@ -95,7 +92,7 @@ void refuseUnknownWalls
 {
     for (const std::string& keyword : wettability.dictKeys())
     {
-        if (!meansAnyOf(keyword, names))
+        if (!meansAnyOf(keyword, names, wettability.where(keyword)))
         {
             throw FatalInputError
             (

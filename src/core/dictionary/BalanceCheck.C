@@ -1,5 +1,7 @@
 #include "core/dictionary/BalanceCheck.H"
 
+#include "core/dictionary/InputLimits.H"
+
 #include <vector>
 
 namespace shizuku
@@ -7,8 +9,6 @@ namespace shizuku
 
 namespace
 {
-
-constexpr std::size_t deepest = 200;    // brackets within brackets; the parser's own stack bears several times that
 
 char partnerOf(char opening)
 {
@@ -78,9 +78,9 @@ void checkBalance(const SourceText& source)
             );
         }
         if (c == '(' || c == '[' || c == '{') open.push_back(i);
-        if (open.size() > deepest)
+        if (open.size() > inputLimits::nesting)
         {
-            const std::string limit = "at most " + std::to_string(deepest) + " levels";
+            const std::string limit = "at most " + std::to_string(inputLimits::nesting) + " levels";
             throw FatalInputError(source.at(i), "Brackets are nested too deep", limit);
         }
         if (c == ')' || c == ']' || c == '}')

@@ -1,6 +1,8 @@
 #include "core/dictionary/CalcExpression.H"
 
 #include "core/angles/Degrees.H"
+#include "core/dictionary/InputLimits.H"
+#include "core/dictionary/TextCharacters.H"
 
 #include <boost/spirit/home/x3.hpp>
 
@@ -11,6 +13,7 @@
 #include <cstdio>
 #include <map>
 #include <numbers>
+#include <string_view>
 #include <vector>
 
 namespace shizuku
@@ -55,6 +58,7 @@ struct Function
 {
     std::size_t arguments;
     std::function<double(const Terms&, Values)> value;
+    bool mayHaveNone = false;
 };
 
 Function unary(double (*f)(double))
@@ -65,6 +69,12 @@ Function unary(double (*f)(double))
 Function binary(double (*f)(double, double))
 {
     return {2, [f](const Terms& x, Values v) { return f(x[0](v), x[1](v)); }};
+}
+
+// f(x), and f() for f(1): the factor of a conversion of units, as OpenFOAM writes it too.
+Function conversion(double (*f)(double))
+{
+    return {1, [f](const Terms& x, Values v) { return f(x.empty() ? 1 : x[0](v)); }, true};
 }
 
 double chosen(const Terms& x, Values v)
@@ -83,8 +93,10 @@ const std::map<std::string, Function>& functions()
         {"sin", unary(std::sin)}, {"cos", unary(std::cos)}, {"tan", unary(std::tan)},
         {"asin", unary(std::asin)}, {"acos", unary(std::acos)}, {"atan", unary(std::atan)},
         {"floor", unary(std::floor)}, {"ceil", unary(std::ceil)},
-        {"degToRad", unary(radians)},
-        {"radToDeg", unary(degrees)},
+        {"degToRad", conversion(radians)}, {"radToDeg", conversion(degrees)},
+        {"asinh", unary(std::asinh)}, {"acosh", unary(std::acosh)}, {"atanh", unary(std::atanh)},
+        {"cbrt", unary(std::cbrt)}, {"erf", unary(std::erf)}, {"round", unary(std::round)},
+        {"pow3", unary([](double x) { return x*x*x; })}, {"sign", unary([](double x) { return x >= 0 ? 1.0 : -1.0; })},
         {"atan2", binary(std::atan2)}, {"hypot", binary(std::hypot)}, {"pow", binary(std::pow)},
         {"min", binary(std::fmin)}, {"max", binary(std::fmax)},
         {"if", {3, chosen}},
@@ -107,7 +119,7 @@ Term call(const Evaluation& evaluation, const std::string& name, const Terms& ar
         );
     }
     const Function& function = found->second;
-    if (arguments.size() != function.arguments)
+    if (arguments.size() != function.arguments && !(function.mayHaveNone && arguments.empty()))
     {
         evaluation.fail
         (
@@ -127,7 +139,7 @@ auto combine(Operation operation)
     return [operation](auto& context)
     {
         const Evaluation& evaluation = evaluationOf(context);
-        _val(context) = [operation, &evaluation, a = Term(_val(context)), b = Term(_attr(context))](Values v)
+        _val(context) = [operation, &evaluation, a = std::move(_val(context)), b = std::move(_attr(context))](Values v)
         {
             return operation(a, b, v, evaluation);
         };
@@ -139,7 +151,7 @@ auto applied(Operation operation)
 {
     return [operation](auto& context)
     {
-        _val(context) = [operation, a = Term(_attr(context))](Values v) { return double(operation(a(v))); };
+        _val(context) = [operation, a = std::move(_attr(context))](Values v) { return double(operation(a(v))); };
     };
 }
 
@@ -164,9 +176,9 @@ auto division(Operation operation)
     });
 }
 
-const auto pass = [](auto& context) { _val(context) = _attr(context); };
+const auto pass = [](auto& context) { _val(context) = std::move(_attr(context)); };
 const auto constant = [](auto& context) { _val(context) = [value = double(_attr(context))](Values) { return value; }; };
-const auto add = [](auto& context) { _val(context).push_back(_attr(context)); };
+const auto add = [](auto& context) { _val(context).push_back(std::move(_attr(context))); };
 const auto addName = [](auto& context) { _val(context).assign(_attr(context).begin(), _attr(context).end()); };
 
 const auto macroValue = [](auto& context)
@@ -209,7 +221,7 @@ const x3::rule<class BranchesTag, Terms> branches = "? :";
 
 const auto pickBranch = [](auto& context)
 {
-    _val(context) = [condition = Term(_val(context)), branch = Terms(_attr(context))](Values v)
+    _val(context) = [condition = std::move(_val(context)), branch = std::move(_attr(context))](Values v)
     {
         return condition(v) != 0 ? branch[0](v) : branch[1](v);
     };
@@ -245,11 +257,11 @@ const auto sign_def = ('-' > sign[applied(std::negate<>())]) | ('+' > sign[pass]
 const auto power_def = primary[pass] >> -('^' > sign[raise]);
 const auto primary_def = x3::double_[constant] | ('(' > choice[pass] > ')') | macro[macroValue]
     | (name >> arguments)[functionCall] | name[variableOrConstant];
-const auto blank = x3::space | "//" >> *(x3::char_ - x3::eol) | "/*" >> *(x3::char_ - "*/") >> "*/";
+const auto blank = textCharacters::space | "//" >> *(x3::char_ - x3::eol) | "/*" >> *(x3::char_ - "*/") >> "*/";
 const auto arguments_def = '(' >> -(choice[add] % ',') > ')';
-const auto name_def = x3::lexeme[x3::raw[x3::alpha >> *(x3::alnum | '_')][addName]];
+const auto name_def = x3::lexeme[x3::raw[textCharacters::alpha >> *(textCharacters::alnum | '_')][addName]];
 const auto macro_def = x3::lexeme['$' > ('{' >> x3::raw[+(x3::char_ - '}')][addName] >> '}'
-    | x3::raw[+(x3::alnum | x3::char_("_.:"))][addName])];
+    | x3::raw[+(textCharacters::alnum | x3::char_("_.:"))][addName])];
 
 BOOST_SPIRIT_DEFINE(choice, either, both, equality, order, sum, product, sign, power, primary, arguments, name,
     macro, branches)
@@ -271,6 +283,42 @@ std::string expectedBehind(const std::string& before, const std::string& awaited
 
 }
 
+namespace
+{
+
+// The parser and the value of an expression take stack for each bracket and each operator.
+void checkExtent(const Evaluation& evaluation)
+{
+    const auto refuse = [&](const std::string& what, std::size_t limit)
+    {
+        throw FatalInputError(evaluation.where, "The expression \"" + evaluation.text.substr(0, 60) + "...\" " + what,
+            "at most " + std::to_string(limit));
+    };
+    const std::string& text = evaluation.text;
+    if (text.size() > inputLimits::expressionText)
+    {
+        refuse("has " + std::to_string(text.size()) + " characters", inputLimits::expressionText);
+    }
+    std::size_t operators = 0, choices = 0, depth = 0;
+    for (const char c : text)
+    {
+        if (std::string_view("+-*/%^!<>=&|").find(c) != std::string_view::npos) ++operators;
+        if (c == '?') ++choices;
+        if (c == '(') ++depth;
+        if (c == ')' && depth > 0) --depth;
+        if (depth + choices > inputLimits::expressionNesting)
+        {
+            refuse("nests brackets or choices too deep", inputLimits::expressionNesting);
+        }
+    }
+    if (operators > inputLimits::expressionOperators)
+    {
+        refuse("has " + std::to_string(operators) + " operators", inputLimits::expressionOperators);
+    }
+}
+
+}
+
 struct CalcExpression::Parsed
 {
     Evaluation evaluation;      // the term refers to it
@@ -285,6 +333,7 @@ CalcExpression::CalcExpression
 {
     const auto parsed = std::make_shared<Parsed>(Parsed{{text, where, macro, variables}, {}});
     const Evaluation& evaluation = parsed->evaluation;
+    checkExtent(evaluation);
     auto first = text.begin();
     try
     {

@@ -1,5 +1,7 @@
 #include "core/dictionary/Conditionals.H"
 
+#include "core/dictionary/InputLimits.H"
+
 #include <algorithm>
 
 namespace shizuku
@@ -22,6 +24,11 @@ void Conditionals::step(const Tree& directive, const std::function<bool()>& cond
     const NodeData& data = directive.data();
     if (data.text == "if" || data.text == "ifeq")
     {
+        if (open_.size() == inputLimits::conditionals)
+        {
+            throw FatalInputError(data.where, "#if are nested too deep",
+                "at most " + std::to_string(inputLimits::conditionals) + " levels");
+        }
         const bool reached = active();
         const bool taken = reached && condition();
         open_.push_back({data.where, taken, reached && !taken, false});

@@ -1,5 +1,6 @@
 #include "core/dictionary/DictionaryGrammar.H"
 #include "core/dictionary/BalanceCheck.H"
+#include "core/dictionary/TextCharacters.H"
 
 #include <boost/spirit/home/x3.hpp>
 
@@ -191,12 +192,41 @@ const auto setBody = [](auto& context)
 
 // ---- Tokens
 
+// Text from a bracket to its partner, whatever stands between: brackets in quotes and comments count as well here, which
+// nobody has counted before, so it takes no recursion.
+class BalancedText : public x3::parser<BalancedText>
+{
+public:
+    using attribute_type = x3::unused_type;
+    static constexpr bool has_attribute = false;
+
+    constexpr BalancedText(char open, char close) : open_(open), close_(close) {}
+
+    template<class Context, class RuleContext, class Attribute>
+    bool parse(Iterator& first, const Iterator& last, const Context&, RuleContext&, Attribute&) const
+    {
+        if (first == last || *first != open_) return false;
+        std::size_t depth = 0;
+        for (Iterator at = first; at != last; ++at)
+        {
+            if (*at == open_) ++depth;
+            if (*at != close_ || --depth != 0) continue;
+            first = std::next(at);
+            return true;
+        }
+        return false;
+    }
+
+private:
+    char open_, close_;
+};
+
 const auto byteOrderMark = lit("\xEF\xBB\xBF");
-const auto skipper = x3::space | byteOrderMark
+const auto skipper = textCharacters::space | byteOrderMark
     | "//" >> *(char_ - eol)
     | "/*" >> *(char_ - "*/") >> "*/";
 
-const auto wordChar = (char_ - (x3::space | char_("\"';{}()[]/"))) | (char_('/') >> !char_("/*"));
+const auto wordChar = (char_ - (textCharacters::space | char_("\"';{}()[]/"))) | (char_('/') >> !char_("/*"));
 struct GroupTag;
 const x3::rule<GroupTag> group = "(..)";        // balanced parentheses within a word
 const auto group_def = '(' >> *(group | wordChar) >> ')';
@@ -211,8 +241,8 @@ const x3::rule<class DimensionsTag, Tree> dimensions = "dimensions";
 const x3::rule<class MacroTag, Tree> macro = "macro";
 const x3::rule<class DirectiveTag, Tree> directive = "directive";
 const x3::rule<class CodeTag, Tree> code = "{..}";
-const x3::rule<class NestedTag> nested = "{..}";
-const x3::rule<class ArgumentsTag> arguments = "(..)";                      // of a function, blanks within them
+constexpr BalancedText nested('{', '}');
+constexpr BalancedText arguments('(', ')');                                 // of a function, blanks within them
 const x3::rule<class FunctionCallTag, Tree> functionCall = "name(..)";
 
 const auto number_def = located(lexeme[raw[numberText][token<NodeKind::number>]]);
@@ -224,9 +254,7 @@ const auto dimensions_def = located(lexeme['[' >> raw[*(char_ - ']')][token<Node
 const auto macro_def = located(lexeme['$' >>
     ('{' >> raw[+(nested | (char_ - char_("{}")))][token<NodeKind::macro>] >> '}'
     | raw[wordText][token<NodeKind::macro>])]);
-const auto nested_def = '{' >> *(nested | (char_ - char_("{}"))) >> '}';
-const auto arguments_def = '(' >> *(arguments | (char_ - char_("()"))) >> ')';
-const auto functionCall_def = located(lexeme[raw[wordText >> -(*x3::blank >> arguments)][token<NodeKind::word>]]);
+const auto functionCall_def = located(lexeme[raw[wordText >> -(*textCharacters::blank >> arguments)][token<NodeKind::word>]]);
 const auto code_def = located(lexeme['{' >> raw[*(nested | (char_ - char_("{}")))][token<NodeKind::verbatim>] >> '}']);
 
 // ---- Values
@@ -242,15 +270,15 @@ const auto list_def = located(x3::eps[mark<NodeKind::list>]
     >> -lexeme[raw[x3::uint_ >> &lit('(')][setText]] >> '(' > *(item[addItem] | body[addItem]) > ')');
 const auto uniformList_def = located(x3::eps[mark<NodeKind::uniformList>]
     >> lexeme[raw[x3::uint_ >> &lit('{')][setText]] >> '{' > *item[addItem] > '}');
-const auto directiveName = [](auto name) { return lexeme['#' >> raw[name >> !x3::alnum][token<NodeKind::directive>]]; };
-const auto branchName = (lit("ifeq") | "if" | "else" | "endif") >> !x3::alnum;
+const auto directiveName = [](auto name) { return lexeme['#' >> raw[name >> !textCharacters::alnum][token<NodeKind::directive>]]; };
+const auto branchName = (lit("ifeq") | "if" | "else" | "endif") >> !textCharacters::alnum;
 const auto directive_def = located
 (
     directiveName(lit("ifeq")) >> item[addItem] >> item[addItem]
     | directiveName(lit("if")) >> item[addItem]
     | directiveName(lit("else") | "endif")
     | directiveName(lit("includeFunc")) >> (functionCall[addItem] | item[addItem])
-    | lexeme['#' >> !branchName >> raw[+x3::alnum][token<NodeKind::directive>]] >> -(code[addItem] | item[addItem])
+    | lexeme['#' >> !branchName >> raw[+textCharacters::alnum][token<NodeKind::directive>]] >> -(code[addItem] | item[addItem])
 );
 struct ItemTag {};
 const auto passOn = [](auto& context) { _val(context) = std::move(_attr(context)); };
@@ -267,7 +295,7 @@ const x3::rule<class LastBodyTag, Tree> lastBody = "{ .. };";
 const auto keyword = word[setKeyword] | string[setKeyword] | macro[setKeyword];
 const auto statements = *(entry[addStatement] | directive[addStatement] | macroStatement[addStatement] | ';');
 // A macro that is the last of its line, or of its dictionary, needs no ';', unless a '{' makes it a keyword.
-const auto restOfLine = x3::no_skip[*x3::blank >> -("//" >> *(char_ - eol)) >> (eol | x3::eoi)];
+const auto restOfLine = x3::no_skip[*textCharacters::blank >> -("//" >> *(char_ - eol)) >> (eol | x3::eoi)];
 const auto macroStatement_def = macro[passOn] >> ((restOfLine >> !lit('{')) | ';' | &lit('}') | x3::eoi);
 // A value may end with a dictionary: div(phi,Yi_h) Gauss multivariateSelection { ... };
 const auto lastBody_def = body[passOn] >> &lit(';');
@@ -279,7 +307,7 @@ const x3::rule<struct ItemsTag, Tree> items = "value";
 struct ItemsTag : ListTag {};
 const auto items_def = located(x3::eps[mark<NodeKind::entry>] > *item[addValueItem] > x3::eoi);
 
-BOOST_SPIRIT_DEFINE(group, number, word, string, verbatim, dimensions, macro, nested, arguments, functionCall, code)
+BOOST_SPIRIT_DEFINE(group, number, word, string, verbatim, dimensions, macro, functionCall, code)
 BOOST_SPIRIT_DEFINE(list, uniformList, directive, item, macroStatement, lastBody, entry, body, document, items)
 
 template<class Rule>

@@ -1,5 +1,6 @@
 #include "core/dictionary/DictionaryJson.H"
 #include "core/dictionary/CalcExpression.H"
+#include "core/dictionary/InputLimits.H"
 
 #include <cmath>
 #include <iomanip>
@@ -96,10 +97,23 @@ void writeNode(std::ostream& stream, const Tree& node, int depth)
     }
 }
 
+// Values that are written, N{value} being N of them.
+double valuesOf(const Tree& node)
+{
+    double values = node.empty() ? 1 : 0;
+    for (const auto& [key, child] : node) values += valuesOf(child);
+    return node.data().kind == NodeKind::uniformList ? values*std::stod(node.data().text) : values;
+}
+
 }
 
 void writeJson(std::ostream& stream, const Tree& node)
 {
+    if (valuesOf(node) > inputLimits::jsonValues)
+    {
+        throw FatalInputError(node.data().where, "Too many values for JSON, N{value} being N of them",
+            "at most " + std::to_string(inputLimits::jsonValues));
+    }
     writeNode(stream, node, 0);
     stream << '\n';
 }

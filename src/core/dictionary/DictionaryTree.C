@@ -1,25 +1,24 @@
 #include "core/dictionary/DictionaryTree.H"
 
+#include "core/dictionary/KeywordPattern.H"
+
 #include <iterator>
-#include <regex>
+#include <map>
 
 namespace shizuku
 {
 
 bool patternMatches(const NodeData& pattern, const std::string& word)
 {
-    try
+    constexpr std::size_t kept = 1000;
+    static thread_local std::map<std::string, KeywordPattern> patterns;     // the same few are asked for again and again
+    auto found = patterns.find(pattern.text);
+    if (found == patterns.end())
     {
-        return std::regex_match(word, std::regex(pattern.text, std::regex::extended));
+        if (patterns.size() == kept) patterns.clear();
+        found = patterns.emplace(pattern.text, KeywordPattern(pattern.text, pattern.where)).first;
     }
-    catch (const std::regex_error& error)
-    {
-        throw FatalInputError
-        (
-            pattern.where, "Keyword \"" + pattern.text + "\" is not a regular expression",
-            "a POSIX extended regular expression, e.g. \"(U|k).*\""
-        );
-    }
+    return found->second.matches(word);
 }
 
 Tree* findSameKeyword(Tree& dictionary, const std::string& keyword, KeywordStyle style)

@@ -1,11 +1,20 @@
 #include "core/dictionary/Dictionary.H"
 #include "core/dictionary/DictionaryNode.H"
 
+#include <algorithm>
+
 namespace shizuku
 {
 
 namespace
 {
+
+// A pattern for all that have no entry of their own is no mistake where each has one.
+bool isOverridden(const NodeData& entry, const std::set<std::string>& asked)
+{
+    if (entry.style != KeywordStyle::pattern) return false;
+    return std::any_of(asked.begin(), asked.end(), [&](const std::string& word) { return patternMatches(entry, word); });
+}
 
 void refuseUnusedBelow(const Tree& dictionary, const std::string& name)
 {
@@ -13,7 +22,7 @@ void refuseUnusedBelow(const Tree& dictionary, const std::string& name)
     {
         const NodeData& data = entry.data();
         if (key == "FoamFile" || key.starts_with('_')) continue;
-        if (!data.used)
+        if (!data.used && !isOverridden(data, dictionary.data().asked))
         {
             const std::set<std::string>& asked = dictionary.data().asked;
             throw FatalInputError
@@ -22,7 +31,7 @@ void refuseUnusedBelow(const Tree& dictionary, const std::string& name)
                 "one of the keywords below", {asked.begin(), asked.end()}, key
             );
         }
-        if (data.kind == NodeKind::dictionary) refuseUnusedBelow(entry, name + "/" + key);
+        if (data.used && data.kind == NodeKind::dictionary) refuseUnusedBelow(entry, name + "/" + key);
     }
 }
 

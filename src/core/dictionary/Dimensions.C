@@ -1,5 +1,7 @@
 #include "core/dictionary/Dimensions.H"
 
+#include "core/dictionary/TextCharacters.H"
+
 #include <boost/spirit/home/x3.hpp>
 
 #include <algorithm>
@@ -30,7 +32,7 @@ std::optional<Dimensions> fromExponents(const std::string& text)
 {
     std::vector<double> exponents;
     auto first = text.begin();
-    if (!x3::phrase_parse(first, text.end(), *x3::double_ >> x3::eoi, x3::space, exponents)) return {};
+    if (!x3::phrase_parse(first, text.end(), *x3::double_ >> x3::eoi, textCharacters::space, exponents)) return {};
     if (exponents.size() != 0 && exponents.size() != 5 && exponents.size() != 7) return {};
     Dimensions result;
     std::copy(exponents.begin(), exponents.end(), result.exponents.begin());
@@ -57,13 +59,13 @@ std::optional<Dimensions> fromUnits(const std::string& text)
     const auto power = [&](auto& context) { multiply(_attr(context)); };
     const auto single = [&](auto&) { multiply(1); };
 
-    const auto factor = x3::lexeme[x3::raw[+x3::alpha][setUnit] >> ('^' >> x3::double_[power] | x3::eps[single])];
+    const auto factor = x3::lexeme[x3::raw[+textCharacters::alpha][setUnit] >> ('^' >> x3::double_[power] | x3::eps[single])];
     const auto one = x3::lit('1');
     auto first = text.begin();
     const bool matched = x3::phrase_parse
     (
         first, text.end(), (factor | one) >> *(x3::lit('/')[divide] >> factor | -x3::lit('*') >> factor) >> x3::eoi,
-        x3::space
+        textCharacters::space
     );
     if (!matched || !known) return {};
     return result;

@@ -57,6 +57,19 @@ std::vector<Tree*> findEntries(Tree& dictionary, const std::string& path)
     return found;
 }
 
+Tree* findByPatterns(Tree& dictionary, const std::string& path)
+{
+    const char* separators = separatorsOf(path);
+    std::size_t at = nextSeparator(path, 0, separators);
+    for (; at != std::string::npos; at = nextSeparator(path, at + 1, separators))
+    {
+        Tree* outer = findEntry(dictionary, withoutQuotes(path.substr(0, at)));
+        if (!outer || outer->data().kind != NodeKind::dictionary) continue;
+        if (Tree* entry = findByPatterns(*outer, path.substr(at + 1))) return entry;
+    }
+    return findEntry(dictionary, withoutQuotes(path));
+}
+
 SplitPath splitPath(const std::string& path)
 {
     const char* separators = separatorsOf(path);

@@ -7,6 +7,7 @@ namespace shizuku
 
 void Expansion::addFile(const SourceText& source)
 {
+    limits_.read({source.name(), 0}, source.text().size());
     files_.push_back(source.name());
     addStatements(parseSyntax(source));
     files_.pop_back();

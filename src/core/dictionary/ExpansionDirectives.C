@@ -199,24 +199,31 @@ void Expansion::include(const Tree& directive, const std::function<void(const So
                 "a file that does not include itself in the end");
         }
     }
+    limits_.include(where, files_.size());
     take(SourceText(readText(*file), file->string()));
+}
+
+void Expansion::addCalculated(Tree& value, const std::string& expression, NodeData data)
+{
+    const auto macro = [&](const std::string& name) { return number(name, data.where); };
+    data.text = numberText(CalcExpression(expression, data.where, macro)());
+    data.kind = NodeKind::number;
+    value.push_back({"", Tree(data)});
 }
 
 void Expansion::addDirectiveItems(Tree& value, const Tree& directive)
 {
-    NodeData data = directive.data();
+    const NodeData& data = directive.data();
     if (data.text == "calc" || data.text == "eval")
     {
         const std::string& expression = textArgumentOf(directive, "an expression in quotes or #{ }");
-        const auto macro = [&](const std::string& name) { return number(name, data.where); };
-        data.text = numberText(CalcExpression(expression, data.where, macro)());
-        data.kind = NodeKind::number;
-        value.push_back({"", Tree(data)});
+        addCalculated(value, expression, data);
     }
     else if (data.text == "include" || data.text == "includeEtc")
     {
         include(directive, [&](const SourceText& source)
         {
+            limits_.read(data.where, source.text().size());
             files_.push_back(source.name());
             for (const auto& [key, item] : parseItems(source)) addItem(value, item);
             files_.pop_back();

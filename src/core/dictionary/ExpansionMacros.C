@@ -13,22 +13,35 @@ namespace
 {
 
 // Entries taken over by a macro have not been looked up yet.
-Tree unused(Tree node)
+void forgetUse(Tree& node)
 {
     node.data().used = false;
     node.data().asked.clear();
-    for (auto& [key, child] : node) child = unused(child);
-    return node;
+    for (auto& [key, child] : node) forgetUse(child);
 }
 
 }
 
-Tree Expansion::resolve(const std::string& name, const SourceLocation& where) const
+Tree Expansion::resolve(const std::string& name, const SourceLocation& where)
 {
+    const ExpansionLimits::Nested nested(limits_, where);
+    if (name.starts_with('{') && name.ends_with('}'))      // ${{ expression }}
+    {
+        Tree entry(NodeData{NodeKind::entry, "", KeywordStyle::word, where, {}, {}, false, {}});
+        addCalculated(entry, name.substr(1, name.size() - 2), NodeData{NodeKind::number, "", KeywordStyle::word, where, {}, {}, false, {}});
+        return entry;
+    }
     const std::size_t fallback = name.find(":-");
     std::string key = name.substr(0, fallback);
     if (key.find('$') != std::string::npos) key = withMacros(key, where);      // ${coeffs_${model}}
-    if (const Tree* entry = scope_.find(key)) return unused(*entry);
+    limits_.lookUp(where, key, scope_.cost());
+    if (const Tree* entry = scope_.find(key, where))
+    {
+        limits_.copy(where, key, *entry, scope_.depth());
+        Tree copy = *entry;
+        forgetUse(copy);
+        return copy;
+    }
     if (const char* value = std::getenv(key.c_str())) return parseItems(SourceText(value, "$" + key));
     if (fallback != std::string::npos) return parseItems(SourceText(name.substr(fallback + 2), where.file));
     throw FatalInputError
@@ -38,7 +51,7 @@ Tree Expansion::resolve(const std::string& name, const SourceLocation& where) co
     );
 }
 
-double Expansion::number(const std::string& macro, const SourceLocation& where) const
+double Expansion::number(const std::string& macro, const SourceLocation& where)
 {
     const Tree entry = resolve(macro, where);
     const std::string place = "line " + std::to_string(where.line) + " of " + where.file;
@@ -50,7 +63,7 @@ double Expansion::number(const std::string& macro, const SourceLocation& where) 
 }
 
 // A file name with $name and ${name} replaced; the bare form ends at the first character that is not of a name.
-std::string Expansion::withMacros(const std::string& text, const SourceLocation& where) const
+std::string Expansion::withMacros(const std::string& text, const SourceLocation& where)
 {
     std::string result;
     for (std::size_t i = 0; i < text.size();)
@@ -77,7 +90,7 @@ std::string Expansion::withMacros(const std::string& text, const SourceLocation&
     return result;
 }
 
-std::string Expansion::keywordOf(const Tree& syntax) const
+std::string Expansion::keywordOf(const Tree& syntax)
 {
     const NodeData& data = syntax.data();
     if (data.style != KeywordStyle::macro) return data.text;

@@ -1,5 +1,7 @@
 #include "core/dictionary/ValueReader.H"
 
+#include "core/dictionary/InputLimits.H"
+
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -151,6 +153,7 @@ std::vector<T> ValueReader::readList()
     ValueReader elements(item, expected_, keyword_);
     if (data.kind == NodeKind::uniformList)
     {
+        if (count > inputLimits::listValues) fail("the size of a list is " + size + ", more than " + std::to_string(inputLimits::listValues));
         const T value = elements.read<T>();
         if (!elements.atEnd()) fail("more than one value in " + size + "{ }");
         return std::vector<T>(count, value);

@@ -89,12 +89,14 @@ FatalInputError::FatalInputError
 
 std::string nearestWord(const std::string& word, const std::vector<std::string>& choices)
 {
-    if (word.empty()) return "";
+    constexpr std::size_t longest = 100;        // letters of a word that somebody typed
+    if (word.empty() || word.size() > longest) return "";
     std::string nearest;
     // One slip in three letters, to the nearest whole number, is still taken for a slip.
     std::size_t smallest = std::max<std::size_t>(1, (word.size() + 1)/3);
     for (const std::string& choice : choices)
     {
+        if (choice.size() > longest) continue;
         const std::size_t distance = editDistance(lower(word), lower(choice));
         const bool shares = distance < std::max(word.size(), choice.size());
         if (shares && (distance < smallest || (distance == smallest && nearest.empty())))

@@ -33,6 +33,15 @@ int readInteger(const Dictionary& dict, const std::string& key, int fallback, in
     );
 }
 
+double readDeltaT(const Dictionary& dict)
+{
+    constexpr double least = 1e-12;     // s: molecules meet more often than that
+    const double deltaT = dict.lookupPositive("deltaT", dimensions::time);
+    if (deltaT >= least) return deltaT;
+    throw FatalInputError(dict.where("deltaT"), "deltaT is " + dict.lookup<std::string>("deltaT") + " s, less than a liquid knows",
+        "1e-12 s or more");
+}
+
 std::optional<Schedule> readWrite(const Dictionary& dict, double deltaT)
 {
     std::vector<std::string> words = scheduleWords();
@@ -96,7 +105,7 @@ Controls readControls(const Dictionary& dict)
     }
     controls.stopAt = choose<StopAt>(dict, "stopAt", {"endTime", "writeNow", "noWriteNow", "nextWrite"}, "endTime");
     controls.endTime = dict.lookupDimensioned("endTime", dimensions::time);
-    controls.deltaT = dict.lookupPositive("deltaT", dimensions::time);
+    controls.deltaT = readDeltaT(dict);
     controls.write = readWrite(dict, controls.deltaT);
     controls.purgeWrite = readInteger(dict, "purgeWrite", 0, 0, std::numeric_limits<int>::max());
     controls.format.binary = dict.lookupChoiceOr("writeFormat", {"ascii", "binary"}, "ascii") == "binary";

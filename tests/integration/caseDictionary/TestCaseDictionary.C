@@ -151,3 +151,23 @@ TEST_F(CaseDictionary, LooksForDefaultsInItsOwnInstallationLast)
         {"liquids/wine", "at line 1.", "/none/.shizuku, /nowhere/etc, " + (folder/"installation/etc").string()}
     ));
 }
+
+TEST_F(CaseDictionary, FindsWhatAPatternGives)
+{
+    folder_.write("constant/wettability", "\".*\" { theta 90; }\nfloor { theta 60; }\n");
+    EXPECT_EQ(run("constant/wettability -entry floor.theta -value").text, "60\n");
+    EXPECT_EQ(run("constant/wettability -entry roof.theta -value").text, "90\n");
+}
+
+TEST_F(CaseDictionary, SetsWhatAnIncludeGives)
+{
+    folder_.write("constant/common", "cell 0.5;\nouter { inner { a 1; b 2; } }\n");
+    folder_.write("constant/wettability", "#include \"common\"\n");
+    EXPECT_EQ(run("constant/wettability -entry cell -set 0.2").status, 0);
+    EXPECT_EQ(run("constant/wettability -entry outer.inner.a -set 7").status, 0);
+    EXPECT_EQ(run("constant/wettability -entry cell -value").text, "0.2\n");
+    EXPECT_EQ(run("constant/wettability -entry outer.inner.a -value").text, "7\n");
+    EXPECT_EQ(run("constant/wettability -entry outer.inner.b -value").text, "2\n");
+    EXPECT_EQ(folder_.read("constant/common"), "cell 0.5;\nouter { inner { a 1; b 2; } }\n");
+    EXPECT_NE(run("constant/wettability -entry nowhere -set 7").status, 0);
+}

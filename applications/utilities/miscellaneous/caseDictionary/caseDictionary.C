@@ -4,6 +4,7 @@
 #include "core/dictionary/Dictionary.H"
 #include "core/dictionary/DictionaryEditor.H"
 #include "core/dictionary/DictionaryExpansion.H"
+#include "core/dictionary/DictionaryGrammar.H"
 #include "core/dictionary/DictionaryJson.H"
 #include "core/dictionary/DictionaryWriter.H"
 #include "core/dictionary/EntryPath.H"
@@ -52,11 +53,33 @@ void checkOptions(const Arguments& args)
     }
 }
 
+// The entry comes from an included file or a macro: it is written behind them, where it counts, dictionaries around it included.
+void overrideEntry(DictionaryEditor& editor, Tree& written, std::string path, std::string value)
+{
+    SplitPath split = splitPath(path);
+    while (!split.dictionary.empty() && findEntries(written, split.dictionary).empty())
+    {
+        value = "{ " + split.keyword + " " + value + (value.starts_with('{') ? " }" : "; }");
+        path = split.dictionary;
+        split = splitPath(path);
+    }
+    editor.add(path, value);
+}
+
+void set(DictionaryEditor& editor, const std::string& path, const std::string& value, const std::string& name)
+{
+    Tree written = parseSyntax(SourceText(editor.text(), name));
+    const bool isGivenElsewhere = findEntries(written, path).empty()
+        && !findEntries(*expandDictionary(SourceText(editor.text(), name)), path).empty();
+    if (isGivenElsewhere) overrideEntry(editor, written, path, value);
+    else editor.set(path, value);
+}
+
 void change(const Arguments& args, const std::filesystem::path& file)
 {
     DictionaryEditor editor(readText(file), file.string());
     const std::string path = args.get("entry");
-    if (args.found("set")) editor.set(path, args.get("set"));
+    if (args.found("set")) set(editor, path, args.get("set"), file.string());
     else if (args.found("add")) editor.add(path, args.get("add"));
     else editor.remove(path);
     writeAtomically(file, [&](std::ostream& stream) { stream << editor.text(); });
@@ -69,6 +92,7 @@ Tree& selected(const Arguments& args, Tree& dictionary, const std::string& name)
     const std::string path = args.get("entry");
     const std::vector<Tree*> entries = findEntries(dictionary, path);
     if (!entries.empty()) return *entries.back();
+    if (Tree* entry = findByPatterns(dictionary, path)) return *entry;
 
     const SplitPath split = splitPath(path);
     const std::vector<Tree*> around =

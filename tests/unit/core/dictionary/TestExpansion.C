@@ -441,3 +441,30 @@ TEST(Calc, StandsInDictionaries)
     EXPECT_EQ(refusalOfText("a word;\n\nb #calc \"1 + $a\";\n").line, 1);     // what is no number, at its place
     EXPECT_EQ(refusalOfText("a 1;\n\nb #calc \"1 + $c\";\n").line, 3);
 }
+
+// ---- As OpenFOAM reads them
+
+TEST(Calc, KnowsFactorsOfAnglesAndBraces)
+{
+    const Dictionary dict = Dictionary::parse
+    (
+        "r 2; c #calc \"cos(60*degToRad())\"; d #calc \"pi()*radToDeg()\"; x ${{ $r*2 }}; v (0 ${{$r^2 + 1}} 0); e #calc \"pow3(cbrt(8))\";"
+    );
+    EXPECT_NEAR(dict.lookup<double>("c"), 0.5, 1e-15);          // rounding of pi/3
+    EXPECT_NEAR(dict.lookup<double>("d"), 180, 1e-13);
+    EXPECT_EQ(dict.lookup<double>("x"), 4);
+    EXPECT_EQ(dict.lookup<Vector>("v"), (Vector{0, 5, 0}));
+    EXPECT_NEAR(dict.lookup<double>("e"), 8, 1e-14);
+    EXPECT_EQ(refusalOf([] { Dictionary::parse("\nx ${{ 1/0 }};"); }).line, 2);
+}
+
+TEST(Usage, APatternWhoseWordsAllHaveEntriesOfTheirOwnIsNoMistake)
+{
+    const Dictionary dict = Dictionary::parse("\".*\" { theta 90; } floor { theta 60; }", "text");
+    EXPECT_EQ(dict.subDict("floor").lookup<double>("theta"), 60);
+    EXPECT_NO_THROW(dict.refuseUnused());
+
+    const Dictionary other = Dictionary::parse("floor { theta 60; }\n\"wal.*\" { theta 90; }", "text");
+    EXPECT_EQ(other.subDict("floor").lookup<double>("theta"), 60);
+    EXPECT_EQ(refusalOf([&] { other.refuseUnused(); }).line, 2);
+}
