@@ -23,6 +23,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     drops/contactLine/LoopTangents.C
     liquidBodies/BoxBody.C
     liquidBodies/CapBody.C
+    liquidBodies/CloseBoxes.C
     liquidBodies/CylinderBody.C
     liquidBodies/EllipsoidBody.C
     liquidBodies/FilledBody.C

@@ -23,14 +23,26 @@ FilledBody readBody(const Dictionary& dict, const std::string& name, const std::
     return body;
 }
 
-// Components of the positions from particle `first` of all bodies on.
-void fillPositions(const std::vector<FilledBody>& bodies, std::size_t first, std::span<double> values)
+// The number of particles before each body, and of all of them.
+std::vector<std::size_t> particlesBefore(const std::vector<FilledBody>& bodies)
 {
-    auto body = bodies.begin();
+    std::vector<std::size_t> before{0};
+    for (const FilledBody& body : bodies) before.push_back(before.back() + body.positions.size());
+    return before;
+}
+
+// Components of the positions from particle `first` of all bodies on.
+void fillPositions
+(
+    const std::vector<FilledBody>& bodies, const std::vector<std::size_t>& before, std::size_t first,
+    std::span<double> values
+)
+{
+    std::size_t body = std::upper_bound(before.begin(), before.end(), first) - before.begin() - 1;
     for (std::size_t i = 0; i < values.size(); i += 3, ++first)
     {
-        for (; first >= body->positions.size(); ++body) first -= body->positions.size();
-        const Vector3& x = body->positions[first];
+        while (first >= before[body + 1]) ++body;
+        const Vector3& x = bodies[body].positions[first - before[body]];
         values[i] = x.x;
         values[i + 1] = x.y;
         values[i + 2] = x.z;
@@ -94,10 +106,9 @@ void writeBodies
     const std::filesystem::path& folder, const std::vector<FilledBody>& bodies, double spacing, const WriteFormat& format
 )
 {
-    std::size_t count = 0;
-    for (const FilledBody& body : bodies) count += body.positions.size();
-    const auto fill = [&](std::size_t first, std::span<double> values) { fillPositions(bodies, first, values); };
-    writeField(folder/"positions", {FieldType::vector, dimensions::length, count, fill, spacing}, format.ofPlaces());
+    const std::vector<std::size_t> before = particlesBefore(bodies);
+    const auto fill = [&](std::size_t first, std::span<double> values) { fillPositions(bodies, before, first, values); };
+    writeField(folder/"positions", {FieldType::vector, dimensions::length, before.back(), fill, spacing}, format.ofPlaces());
     writeField(folder/"U", velocityField(bodies), format);
 }
 

@@ -39,11 +39,8 @@ void run(const Arguments& args)
     const SolidParticles solid = haveSolidParticles(casePath) ? readSolidParticles(casePath) : SolidParticles();
 
     std::cout << "Particle spacing " << spacing << " m\n";
-    for (FilledBody& body : bodies)
-    {
-        keepOutOfWalls(body, walls, spacing);
-        keepOutOfSolid(body, solid, spacing);
-    }
+    for (FilledBody& body : bodies) keepOutOfWalls(body, walls, spacing);
+    keepOutOfSolid(bodies, solid, spacing);
     keepApart(bodies, spacing);
     for (const FilledBody& body : bodies) report(body, spacing);
     writeFolderAtomically(casePath/"0"/"liquid", [&](const std::filesystem::path& partial)
