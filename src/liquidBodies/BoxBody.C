@@ -9,7 +9,7 @@
 namespace shizuku
 {
 
-class BoxBody : public LiquidBody
+class BoxBody : public LiquidShape<BoxBody>
 {
 public:
     BoxBody(const Dictionary& dict, const std::filesystem::path&)

@@ -11,7 +11,7 @@
 namespace shizuku
 {
 
-class CapBody : public LiquidBody
+class CapBody : public LiquidShape<CapBody>
 {
 public:
     CapBody(const Dictionary& dict, const std::filesystem::path&)

@@ -9,7 +9,7 @@
 namespace shizuku
 {
 
-class CylinderBody : public LiquidBody
+class CylinderBody : public LiquidShape<CylinderBody>
 {
 public:
     CylinderBody(const Dictionary& dict, const std::filesystem::path&)

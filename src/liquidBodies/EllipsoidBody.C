@@ -8,7 +8,7 @@
 namespace shizuku
 {
 
-class EllipsoidBody : public LiquidBody
+class EllipsoidBody : public LiquidShape<EllipsoidBody>
 {
 public:
     EllipsoidBody(const Dictionary& dict, const std::filesystem::path&)

@@ -31,7 +31,18 @@ struct Cells
 class Lattice
 {
 public:
-    Lattice(const LiquidBody& body, double spacing) : body_(body), frame_(body.frame()), edge_(body.cell(spacing)) {}
+    Lattice(const LiquidBody& body, double spacing)
+    : body_(body), frame_(body.frame()), edge_(body.cell(spacing))
+    {
+        const auto part = [&](double a, double b, double c)
+        {
+            return at((a + 0.5)/n, (b + 0.5)/n, (c + 0.5)/n) - frame_.origin;
+        };
+        for (int c = 0; c < n; ++c) for (int b = 0; b < n; ++b) for (int a = 0; a < n; ++a) parts_.push_back(part(a, b, c));
+        constexpr double middle = 0.5*(n - 1);
+        probes_ = {part(middle, middle, middle)};
+        for (const int c : {0, n - 1}) for (const int b : {0, n - 1}) for (const int a : {0, n - 1}) probes_.push_back(part(a, b, c));
+    }
 
     Cells cells() const
     {
@@ -62,23 +73,16 @@ private:
     // cells that the surface does not cut.
     int partsInside(double i, double j, double k) const
     {
-        const auto inside = [&](double a, double b, double c)
-        {
-            return int(body_.contains(at(i + (a + 0.5)/n, j + (b + 0.5)/n, k + (c + 0.5)/n)));
-        };
-        constexpr double middle = 0.5*(n - 1);
-        int count = inside(middle, middle, middle);
-        for (const int c : {0, n - 1}) for (const int b : {0, n - 1}) for (const int a : {0, n - 1}) count += inside(a, b, c);
-        if (count == 0 || count == 9) return count == 0 ? 0 : n*n*n;
-
-        count = 0;
-        for (int c = 0; c < n; ++c) for (int b = 0; b < n; ++b) for (int a = 0; a < n; ++a) count += inside(a, b, c);
-        return count;
+        const Vector3 place = at(i, j, k);
+        const int count = body_.countInside(place, probes_);
+        if (count == 0 || count == int(probes_.size())) return count == 0 ? 0 : n*n*n;
+        return body_.countInside(place, parts_);
     }
 
     const LiquidBody& body_;
     BodyFrame frame_;
     Vector3 edge_;
+    std::vector<Vector3> parts_, probes_;       // middles of parts, from the corner of a cell
 };
 
 // 0 to 1: decides between cells that are equally far inside. Multiples of the golden ratio are spread evenly, and so are the

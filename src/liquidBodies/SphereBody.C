@@ -7,7 +7,7 @@
 namespace shizuku
 {
 
-class SphereBody : public LiquidBody
+class SphereBody : public LiquidShape<SphereBody>
 {
 public:
     SphereBody(const Dictionary& dict, const std::filesystem::path&)

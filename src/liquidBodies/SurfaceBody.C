@@ -39,7 +39,7 @@ TriangleMesh readClosedMesh(const Dictionary& dict, const std::filesystem::path&
 
 }
 
-class SurfaceBody : public LiquidBody
+class SurfaceBody : public LiquidShape<SurfaceBody>
 {
 public:
     SurfaceBody(const Dictionary& dict, const std::filesystem::path& casePath)
