@@ -36,18 +36,17 @@ struct Cut
     double angle, radius;
 };
 
-// Along great circles from the sphere's point next to the wall. Nothing where the sphere lies inside the wall, or the
-// wall does not go round it.
-std::optional<Cut> cutOf(const SphereFit& sphere, const WallShape& wall)
+// Along great circles from the sphere's top down to where they enter the wall: below the wall's surface nothing is asked,
+// for a thin wall ends there, and the sphere may reach through it. Nothing where the sphere's top lies inside the wall, or
+// the wall does not go round it. up: the wall's mean normal under the drop.
+std::optional<Cut> cutOf(const SphereFit& sphere, const WallShape& wall, const Vector3& up)
 {
     constexpr int directions = 48, steps = 180, halvings = 50;
-    const Vector3 down = -wall.at(sphere.centre).normal, x = perpendicular(-down), y = cross(down, x);
+    const Vector3 x = perpendicular(up), y = cross(-up, x);
     const auto at = [&](double polar, const Vector3& sideways)
     {
-        return sphere.centre + sphere.radius*(std::cos(polar)*down + std::sin(polar)*sideways);
+        return sphere.centre + sphere.radius*(std::sin(polar)*sideways - std::cos(polar)*up);
     };
-    // A sphere that ends above the wall, by less than the drop's allowed gap, touches it in a point.
-    if (wall.at(at(0, x)).distance >= 0) return Cut{180, 0};
 
     std::vector<Vector3> points;
     double angles = 0;
@@ -56,27 +55,39 @@ std::optional<Cut> cutOf(const SphereFit& sphere, const WallShape& wall)
         const double azimuth = 2*std::numbers::pi*i/directions;
         const Vector3 sideways = std::cos(azimuth)*x + std::sin(azimuth)*y;
         const auto distance = [&](double polar) { return wall.at(at(polar, sideways)).distance; };
-        double from = 0, to = 0;
-        for (int step = 1; step <= steps && distance(to) < 0; ++step)
+        double from = std::numbers::pi, to = from;
+        for (int step = steps - 1; step >= 0 && distance(to) >= 0; --step)
         {
             from = to;
             to = std::numbers::pi*step/steps;
         }
-        if (distance(to) < 0) return std::nullopt;
+        if (from == to) return std::nullopt;
+        if (distance(to) >= 0) continue;
         for (int k = 0; k < halvings; ++k)
         {
             const double middle = 0.5*(from + to);
-            (distance(middle) < 0 ? from : to) = middle;
+            (distance(middle) < 0 ? to : from) = middle;
         }
         points.push_back(at(to, sideways));
         const Vector3 normal = (points.back() - sphere.centre)/sphere.radius;
         angles += degrees(std::acos(std::clamp(dot(normal, wall.at(points.back()).normal), -1.0, 1.0)));
     }
+    // A sphere that ends above the wall, by less than the drop's allowed gap, touches it in a point.
+    if (points.empty()) return Cut{180, 0};
+    if (points.size() < directions) return std::nullopt;
     Vector3 middle;
     for (const Vector3& p : points) middle += p/directions;
     double radius = 0;
     for (const Vector3& p : points) radius += length(p - middle)/directions;
     return Cut{angles/directions, radius};
+}
+
+// The wall's mean normal under the vertices nearest to it, those not higher than `above`.
+Vector3 normalUnder(const std::vector<WallPoint>& wall, double above)
+{
+    Vector3 sum;
+    for (const WallPoint& p : wall) if (p.distance <= above) sum += p.normal;
+    return normalized(sum);
 }
 
 // The sphere above the wall's neighbourhood, where the drop bends as a drop does: its surface looks away from the centre.
@@ -201,7 +212,7 @@ ContactAngle measureContactAngle
 
     const double above = limits.fitAbove*spacing;
     const auto sphere = *highest < limits.filmBelow*spacing ? std::nullopt : fitCap(drop, atWall, above);
-    const auto cut = sphere ? cutOf(*sphere, wall) : std::nullopt;
+    const auto cut = sphere ? cutOf(*sphere, wall, normalUnder(atWall, std::max(above, *lowest))) : std::nullopt;
     if (!cut)
     {
         result.state = DropState::film;

@@ -160,6 +160,45 @@ TEST(ContactAngle, IgnoresADistortedFoot)
     EXPECT_GT(std::abs(measureContactAngle(mesh, *floorWall, spacing, {}, {.fitAbove = 0}).angle - 90), 2);
 }
 
+namespace
+{
+
+// Between z = -thickness and 0, without end to the sides: nearest is the side that is nearer.
+class Slab : public WallShape
+{
+public:
+    explicit Slab(double thickness) : thickness_(thickness) {}
+
+    WallPoint at(const Vector3& x) const override
+    {
+        if (x.z > -0.5*thickness_) return {x.z, {0, 0, 1}};
+        return {-thickness_ - x.z, {0, 0, -1}};
+    }
+
+private:
+    double thickness_;
+};
+
+}
+
+// The sphere of a drop reaches through a wall that is thinner than the drop, and its centre may lie in it or below it.
+TEST(ContactAngle, IsThatOfTheUpperSideOfAThinWall)
+{
+    for (const double theta : {40.0, 61.4, 90.0, 130.0})
+    {
+        const Cap cap = dropOf(2000, theta);
+        const TriangleMesh mesh = meshOf(cap);
+        const ContactAngle thick = measureContactAngle(mesh, *floorWall, spacing);
+        for (const double spacings : {1.0, 3.0, 8.0, 20.0})
+        {
+            const ContactAngle thin = measureContactAngle(mesh, Slab(spacings*spacing), spacing);
+            expectAngles(thin, theta, 1);           // as on a wall without end
+            EXPECT_NEAR(thin.angle, thick.angle, 1e-6);
+            EXPECT_NEAR(thin.contactRadius, thick.contactRadius, 1e-6*spacing);
+        }
+    }
+}
+
 TEST(ContactAngle, TouchingSphereHas180Degrees)
 {
     const Cap sphere{{{0, 0, 0}, {0, 0, 1}}, {0, 0, 1e-3 + 0.5*spacing}, 1e-3};
