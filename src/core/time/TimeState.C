@@ -54,6 +54,19 @@ std::optional<TimeState> readTimeState(const std::filesystem::path& timeFolder)
     state.origin = dict.lookup<double>("origin");
     state.originIndex = dict.lookup<long>("originIndex");
     dict.refuseUnused();
+    constexpr long mostSteps = 1'000'000'000'000'000;       // whole numbers that a double tells apart
+    const bool counts = 0 <= state.originIndex && state.originIndex <= state.index && state.index <= mostSteps;
+    if (!counts)
+    {
+        throw FatalInputError(dict.where("index"), "The index is " + std::to_string(state.index) + ", the originIndex "
+            + std::to_string(state.originIndex), "0 <= originIndex <= index <= " + std::to_string(mostSteps));
+    }
+    const double rounding = 1e-3*state.deltaT + 1e-12*std::abs(state.value);
+    if (std::abs(state.at(state.index) - state.value) > rounding)
+    {
+        throw FatalInputError(dict.where("value"), "The value is not the time of the step",
+            "origin + (index - originIndex) deltaT = " + std::to_string(state.at(state.index)));
+    }
     if (!namesTime(timeFolder.filename().string(), state.value, state.deltaT)) return {};
     return state;
 }

@@ -477,3 +477,9 @@ TEST(Time, LeavesAChangedControlDictAloneUnlessModifiable)
     EXPECT_FALSE(time.readIfModified());
     EXPECT_EQ(time.endTime(), 1);
 }
+
+TEST(Time, RefusesAStepThatNoLiquidKnows)
+{
+    EXPECT_TRUE(holds(Case("endTime 1; deltaT 1e-30; writeInterval 5;").error(), {"deltaT is 1e-30", "1e-12 s or more"}));
+    EXPECT_EQ(Case("endTime 1; deltaT 1e-12; writeInterval 5;").error(), "");
+}

@@ -122,7 +122,7 @@ TEST(TimeFolders, TheNewestInstanceIsFound)
 TEST(TimeState, KeepsEveryBit)
 {
     const ScratchFolder folder;
-    const TimeState state{1.0 / 3, 123456789012, 1e-5 / 3, 0.1 + 0.2, 12};
+    const TimeState state{1.0 / 3, 123456789012, 1e-5 / 3, 0.1 + 0.2, 123456779012};      // 10000 steps from the origin
     const std::string name = "0.33333333333";
     writeTimeState(folder.path() / name, state);
     const auto back = readTimeState(folder.path() / name);
@@ -135,4 +135,20 @@ TEST(TimeState, KeepsEveryBit)
     EXPECT_FALSE(readTimeState(folder.path() / "0.5"));
     folder.write("0.5/uniform/time", "value 0.5;\nindex much;");
     EXPECT_TRUE(holds(messageOf([&] { readTimeState(folder.path() / "0.5"); }), {"index", "much", "line 2"}));
+}
+
+TEST(TimeState, RefusesStepsThatNobodyCounts)
+{
+    const ScratchFolder folder;
+    const auto refusal = [&](const std::string& value, const std::string& index, const std::string& origin)
+    {
+        folder.write("0.5/uniform/time", "value " + value + ";\nindex " + index + ";\ndeltaT 0.001;\norigin 0;\noriginIndex " + origin + ";");
+        return messageOf([&] { readTimeState(folder.path() / "0.5"); });
+    };
+    EXPECT_TRUE(readTimeState(folder.write("0.5/uniform/time", "value 0.5; index 500; deltaT 0.001; origin 0; originIndex 0;")
+        .parent_path().parent_path()));
+    EXPECT_TRUE(holds(refusal("0.5", "9223372036854775807", "0"), {"The index is 9223372036854775807", "line 2"}));
+    EXPECT_TRUE(holds(refusal("0.5", "-1", "0"), {"The index is -1"}));
+    EXPECT_TRUE(holds(refusal("0.5", "500", "501"), {"originIndex 501"}));
+    EXPECT_TRUE(holds(refusal("0.5", "501", "0"), {"The value is not the time of the step", "line 1"}));
 }
