@@ -7,7 +7,7 @@
 // Solved by conjugate gradients from u* on, whose every iterate has the momentum and, without walls, the angular momentum of u*. They end when
 // the residual has fallen by `tolerance`, or is what rounding leaves. nu may be zero: nothing is done then.
 //
-// The form that asks for one sum over the particles an iteration: Chronopoulos and Gear 1989. Trials: doc/theory/viscosity.md.
+// The form that asks for one sum over the particles an iteration: Chronopoulos and Gear 1989. Trials: doc/notebook/theory/viscosity.md.
 //
 //     viscosity        newtonian;
 //     newtonianCoeffs
