@@ -2,7 +2,6 @@
 
 #include "core/messages/Error.H"
 
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -27,57 +26,22 @@ public:
 
     PatchedSurface read()
     {
-        for (std::string text; readStatement(text);)
+        for (std::string text; std::getline(in_, text);)
         {
+            ++line_;
             std::istringstream words(text);
             std::string keyword;
             words >> keyword;
             if (keyword == "v") readVertex(words);
             else if (keyword == "f") readFace(words);
-            else if (keyword == "g") group_ = rest(words);
-            else if (keyword == "o") object_ = rest(words);
+            else if (keyword == "g" || keyword == "o") words >> (keyword == "g" ? group_ : object_);
         }
         line_ = 0;
         if (surface_.mesh.faces.empty()) fail("The OBJ file has no face", "lines that begin with f");
-        for (const std::string& line : surface_.makePatchNamesWords()) warning(line, {file_, 0});
         return std::move(surface_);
     }
 
 private:
-    // A line with those that it goes on in, behind a backslash, and without a comment. False at the end of the file.
-    bool readStatement(std::string& text)
-    {
-        text.clear();
-        for (std::string part; std::getline(in_, part);)
-        {
-            ++line_;
-            if (!part.empty() && part.back() == '\r') part.pop_back();
-            const bool goesOn = !part.empty() && part.back() == '\\';
-            if (goesOn) part.back() = ' ';
-            text += withoutComment(part);
-            if (!goesOn) return true;
-        }
-        return !text.empty();
-    }
-
-    // A '#' within a word is part of a name.
-    static std::string withoutComment(const std::string& text)
-    {
-        for (std::size_t at = text.find('#'); at != text.npos; at = text.find('#', at + 1))
-        {
-            if (at == 0 || std::isspace(static_cast<unsigned char>(text[at - 1]))) return text.substr(0, at);
-        }
-        return text;
-    }
-
-    // The words of a statement behind its keyword, one space in between.
-    static std::string rest(std::istringstream& words)
-    {
-        std::string text;
-        for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word;
-        return text;
-    }
-
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const
     {
         throw FatalInputError({file_, line_}, found, expected);

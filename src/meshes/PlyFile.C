@@ -26,7 +26,6 @@ public:
     {
         if (!in_) fail("Cannot read the mesh", "a PLY file");
         header_ = PlyHeader::read(in_, file_);
-        if (header_.bigEndian) fail("The mesh is binary_big_endian", "ascii or binary_little_endian");
     }
 
     TriangleMesh read()

@@ -2,7 +2,6 @@
 
 #include "core/messages/Error.H"
 
-#include <charconv>
 #include <map>
 #include <sstream>
 
@@ -40,30 +39,22 @@ public:
             {
                 std::string format;
                 words >> format;
-                if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
+                if (format != "ascii" && format != "binary_little_endian")
                 {
                     throw FatalInputError
                     (
                         {file_.string(), header_.lines}, "Unknown format '" + format + "'", "",
-                        {"ascii", "binary_little_endian", "binary_big_endian"}, format
+                        {"ascii", "binary_little_endian"}, format
                     );
                 }
                 header_.ascii = format == "ascii";
-                header_.bigEndian = format == "binary_big_endian";
                 formatGiven = true;
             }
             else if (keyword == "element")
             {
                 PlyElement element;
-                std::string count;
-                words >> element.name >> count;
-                const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), element.count);
-                if (count.empty() || error != std::errc() || end != count.data() + count.size())
-                {
-                    fail("Malformed: " + text, "element NAME COUNT");
-                }
+                if (!(words >> element.name >> element.count)) fail("Malformed: " + text, "element NAME COUNT");
                 header_.elements.push_back(element);
-                elementLines_.push_back(header_.lines);
             }
             else if (keyword == "property")
             {
@@ -80,60 +71,10 @@ public:
             }
         }
         if (!formatGiven) fail("The header has no format");
-        refuseMoreThanTheFileHolds();
         return std::move(header_);
     }
 
 private:
-    // Before memory is taken for them.
-    void refuseMoreThanTheFileHolds() const
-    {
-        double rest = double(std::filesystem::file_size(file_)) - double(in_.tellg());
-        for (std::size_t e = 0; e < header_.elements.size(); ++e)
-        {
-            const PlyElement& element = header_.elements[e];
-            const SourceLocation where{file_.string(), elementLines_[e]};
-            if (element.count > 0 && element.properties.empty())
-            {
-                throw FatalInputError
-                (
-                    where, std::to_string(element.count) + " elements " + element.name + " without a property",
-                    "a property behind each element that has a count"
-                );
-            }
-            rest -= double(element.count)*leastBytes(element);
-            if (rest >= (header_.ascii ? -1 : 0)) continue;     // the last number of a text needs no line's end
-            throw FatalInputError
-            (
-                where, "The file is too short for " + std::to_string(element.count) + " elements " + element.name,
-                "as many elements as the header announces"
-            );
-        }
-    }
-
-    // Of one element: a digit and a space for each number of a text; of lists their lengths alone.
-    double leastBytes(const PlyElement& element) const
-    {
-        double bytes = 0;
-        for (const PlyProperty& property : element.properties)
-        {
-            bytes += header_.ascii ? 2 : bytesOf(property.list ? property.countType : property.type);
-        }
-        return bytes;
-    }
-
-    static int bytesOf(PlyScalar type)
-    {
-        switch (type)
-        {
-            case PlyScalar::int8: case PlyScalar::uint8: return 1;
-            case PlyScalar::int16: case PlyScalar::uint16: return 2;
-            case PlyScalar::int32: case PlyScalar::uint32: case PlyScalar::float32: return 4;
-            case PlyScalar::float64: break;
-        }
-        return 8;
-    }
-
     [[noreturn]] void fail(const std::string& found, const std::string& expected = "") const
     {
         throw FatalInputError({file_.string(), header_.lines}, found, expected);
@@ -177,7 +118,6 @@ private:
     std::istream& in_;
     std::filesystem::path file_;
     PlyHeader header_;
-    std::vector<int> elementLines_;
 };
 
 }

@@ -80,8 +80,9 @@ public:
         {
             if (iequals(word, "solid"))          // keywords come in any case
             {
-                const std::string name = restOfLine();
+                const std::string name(words_.next(true));
                 patch = surface.patchIndex(name.empty() ? unnamed_ : name);
+                words_.skipLine();
             }
             else if (iequals(word, "facet") && patch >= 0)
             {
@@ -98,23 +99,10 @@ public:
             }
         }
         if (patch >= 0) fail("", "facet or endsolid");
-        for (const std::string& line : surface.makePatchNamesWords()) warning(line, {file_, 0});
         return surface;
     }
 
 private:
-    // Its words with one space in between.
-    std::string restOfLine()
-    {
-        std::string text;
-        for (std::string_view word = words_.next(true); !word.empty(); word = words_.next(true))
-        {
-            if (!text.empty()) text += ' ';
-            text += word;
-        }
-        return text;
-    }
-
     std::array<Vector3, 3> facet()
     {
         expect("normal");
@@ -171,8 +159,7 @@ PatchedSurface readBinary(const std::string& file, std::string_view bytes, const
     std::uint32_t facets = 0;
     if (bytes.size() >= binaryHeader) std::memcpy(&facets, bytes.data() + binaryHeader - sizeof(facets), sizeof(facets));
     const std::size_t size = binaryHeader + binaryFacet*std::size_t(facets);
-    // Some programs add bytes of their own behind the facets.
-    if (bytes.size() < size)
+    if (bytes.size() != size)
     {
         throw FatalInputError
         (
@@ -217,9 +204,7 @@ PatchedSurface readStl(const std::filesystem::path& file, const std::string& unn
     if (bytes.empty()) throw FatalInputError({file.string(), 0}, "The surface file is empty", "an STL surface");
 
     PatchedSurface surface;
-    const bool isText = bytes.find('\0') >= bytes.find_last_not_of('\0');      // but for zeros that pad its end
-    if (isText) bytes.erase(std::min(bytes.size(), bytes.find('\0')));
-    if (!isText)                                    // a binary file may begin with "solid" too
+    if (bytes.find('\0') != std::string::npos)      // a binary file may begin with "solid" too
     {
         surface = readBinary(file.string(), bytes, unnamed);
     }

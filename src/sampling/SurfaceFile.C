@@ -2,7 +2,6 @@
 
 #include "core/messages/Error.H"
 #include "meshes/ObjFile.H"
-#include "meshes/PlyHeader.H"
 #include "meshes/StlFile.H"
 
 #include <CGAL/IO/OFF.h>
@@ -11,8 +10,6 @@
 
 #include <boost/algorithm/string/case_conv.hpp>
 
-#include <fstream>
-
 namespace shizuku
 {
 
@@ -20,13 +17,6 @@ namespace
 {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
-
-// CGAL trusts a header, whatever it says.
-void checkPlyHeader(const std::filesystem::path& file)
-{
-    std::ifstream in(file, std::ios::binary);
-    PlyHeader::read(in, file);
-}
 
 PatchedSurface readPolygons(const std::filesystem::path& file, const std::string& extension, const std::string& unnamed)
 {
@@ -86,7 +76,6 @@ PatchedSurface readSurface(const std::filesystem::path& file, const std::string&
     const auto size = std::filesystem::file_size(file, error);
     if (error) throw FatalInputError({file.string(), 0}, "Cannot read the surface file " + file.string());
     if (size == 0) throw FatalInputError({file.string(), 0}, "The surface file is empty", "a surface");
-    if (extension == ".ply") checkPlyHeader(file);
     return readPolygons(file, extension, unnamed);
 }
 

@@ -25,31 +25,6 @@ TEST(ObjFile, facesGroupsAndPolygonsAreRead)
     EXPECT_DOUBLE_EQ(surface.mesh.area(), 2);
 }
 
-TEST(ObjFile, linesThatGoOnAndCommentsBehindFacesAreRead)
-{
-    const ScratchFolder folder;
-    const auto file = folder.write
-    (
-        "a.obj", "v 0 0 0 # the first\nv 1 0 \\\r\n 0\r\nv 1 1 0\nv 0 1 0\ng part#1 # a name\nf 1 2 \\\n3 \\\n4 # four\n#f 1 2 9\nf 1 2 3\\"
-    );
-    const PatchedSurface surface = readObj(file, "wall");
-    EXPECT_EQ(surface.mesh.vertices[1], Vector3(1, 0, 0));
-    ASSERT_EQ(surface.mesh.faces.size(), 3u);
-    EXPECT_EQ(surface.mesh.faces[1], (std::array<int, 3>{0, 2, 3}));
-    EXPECT_EQ(surface.patches, std::vector<std::string>{"part_1"});
-}
-
-TEST(ObjFile, groupsOfNamesThatAreAlikeStayApart)
-{
-    const ScratchFolder folder;
-    const std::string square = "f 1 2 3\n";
-    const auto file = folder.write
-    (
-        "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\ng wall one\n" + square + "g wall two\n" + square + "g a/b\n" + square + "g a_b\n" + square
-    );
-    EXPECT_EQ(readObj(file, "wall").patches, (std::vector<std::string>{"wall_one", "wall_two", "a_b_2", "a_b"}));
-}
-
 TEST(ObjFile, badFilesAreRefusedWithTheLine)
 {
     const ScratchFolder folder;

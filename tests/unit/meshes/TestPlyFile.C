@@ -114,22 +114,6 @@ TEST_F(PlyFile, BadFilesAreRefusedWithTheirReason)
     EXPECT_THROW(readPly(folder_/"absent.ply"), FatalInputError);
 }
 
-TEST_F(PlyFile, CountsThatTheFileCannotHoldAreRefused)
-{
-    const std::string begin = "ply\nformat ascii 1.0\n", end = "element face 0\nproperty list uchar int vertex_indices\nend_header\n";
-    expectContains(errorOf(begin + "property float x\n" + end), "line 3");
-    expectContains(errorOf(begin + "element foo 18446744073709551615\n" + end), "without a property");
-    expectContains(errorOf(begin + "element foo 18446744073709551615\nproperty int a\n" + end), "too short");
-    expectContains(errorOf(begin + "element foo 18446744073709551616\nproperty int a\n" + end), "Malformed");
-    expectContains(errorOf(begin + "element foo -1\nproperty int a\n" + end), "line 3");
-    expectContains(errorOf(begin + "element foo 3x\nproperty int a\n" + end), "line 3");
-    expectContains
-    (
-        errorOf("ply\nformat binary_little_endian 1.0\nelement vertex 2\nproperty double x\nend_header\n123456789012345"),
-        "too short for 2 elements vertex"
-    );
-}
-
 TEST_F(PlyFile, TruncatedBinaryFileIsRefused)
 {
     writePly(folder_/"whole.ply", cubeMesh(1));

@@ -48,38 +48,10 @@ TEST(StlFile, solidsBecomePatches)
     const ScratchFolder folder;
     const PatchedSurface flat = rectangle(1, 1);
     const std::string text =
-        stlText(flat, "floor exported by hand") + stlText(flat, "") + stlText(flat, "a/b")
-      + stlText(flat, "floor  exported by hand");
+        stlText(flat, "floor exported by hand") + stlText(flat, "") + stlText(flat, "a/b") + stlText(flat, "floor");
     const auto surface = readStl(folder.write("a.stl", text), "wall");
     EXPECT_EQ(surface.patches, (std::vector<std::string>{"floor", "wall", "a_b"}));
     EXPECT_EQ(surface.patch, (std::vector<int>{0, 0, 1, 1, 2, 2, 0, 0}));
-}
-
-TEST(StlFile, solidsOfNamesThatAreAlikeStayApart)
-{
-    const ScratchFolder folder;
-    const PatchedSurface flat = rectangle(1, 1);
-    const auto patchesOf = [&](const std::vector<std::string>& names)
-    {
-        std::string text;
-        for (const std::string& name : names) text += stlText(flat, name);
-        return readStl(folder.write("a.stl", text), "wall").patches;
-    };
-    using Names = std::vector<std::string>;
-    EXPECT_EQ(patchesOf({"wall one", "wall two", "lid of it"}), (Names{"wall_one", "wall_two", "lid"}));
-    EXPECT_EQ(patchesOf({"wall one", "wall"}), (Names{"wall_one", "wall"}));
-    EXPECT_EQ(patchesOf({"a/b", "a_b", "a_b_2", "a*b"}), (Names{"a_b_3", "a_b", "a_b_2", "a_b_4"}));
-    EXPECT_EQ(patchesOf({"\xE5\xBA\x8A", "\xE5\xA3\x81"}), (Names{"___", "____2"}));
-}
-
-TEST(StlFile, bytesBehindTheFacetsAreLeftOut)
-{
-    const ScratchFolder folder;
-    const std::string bytes = binaryStl(cube(2), "made by hand");
-    EXPECT_DOUBLE_EQ(readStl(folder.write("a.stl", bytes + "colours"), "wall").mesh.volume(), 8);
-    EXPECT_DOUBLE_EQ(readStl(folder.write("b.stl", stlText(cube(2), "box") + std::string(5, '\0')), "wall").mesh.volume(), 8);
-    const auto cut = folder.write("c.stl", bytes.substr(0, bytes.size() - 1));
-    EXPECT_TRUE(holds(messageOf([&] { readStl(cut, "wall"); }), {"683 bytes", "684 bytes"}));
 }
 
 TEST(StlFile, keywordsInUpperCaseAndAByteOrderMarkAreRead)
