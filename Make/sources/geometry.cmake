@@ -40,6 +40,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     meshes/PlyFile.C
     meshes/PlyHeader.C
     meshes/PointsInside.C
+    meshes/PolygonTriangles.C
     meshes/SmoothMesh.C
     meshes/SphereFit.C
     meshes/StlFile.C

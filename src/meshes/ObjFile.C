@@ -1,7 +1,9 @@
 #include "meshes/ObjFile.H"
 
 #include "core/messages/Error.H"
+#include "meshes/PolygonTriangles.H"
 
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -18,7 +20,7 @@ class ObjReader
 public:
     ObjReader(const std::filesystem::path& file, const std::string& unnamed)
     :
-        file_(file.string()), in_(file, std::ios::binary), unnamed_(unnamed)
+        file_(file.string()), in_(file, std::ios::binary), unnamed_{unnamed, unnamed}
     {
         if (!in_ || !std::filesystem::is_regular_file(file)) fail("Cannot read the surface file " + file_, "");
         if (std::filesystem::file_size(file) == 0) fail("The surface file is empty", "an OBJ surface");
@@ -26,15 +28,14 @@ public:
 
     PatchedSurface read()
     {
-        for (std::string text; std::getline(in_, text);)
+        for (std::string text; nextLine(text);)
         {
-            ++line_;
             std::istringstream words(text);
             std::string keyword;
             words >> keyword;
             if (keyword == "v") readVertex(words);
             else if (keyword == "f") readFace(words);
-            else if (keyword == "g" || keyword == "o") words >> (keyword == "g" ? group_ : object_);
+            else if (keyword == "g" || keyword == "o") readName(words, keyword == "g" ? group_ : object_);
         }
         line_ = 0;
         if (surface_.mesh.faces.empty()) fail("The OBJ file has no face", "lines that begin with f");
@@ -45,6 +46,38 @@ private:
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const
     {
         throw FatalInputError({file_, line_}, found, expected);
+    }
+
+    // Without its comment; a line that ends with a backslash goes on in the next one.
+    bool nextLine(std::string& text)
+    {
+        text.clear();
+        for (std::string part; std::getline(in_, part);)
+        {
+            ++line_;
+            if (!part.empty() && part.back() == '\r') part.pop_back();
+            std::size_t comment = part.find('#');       // within a word it is part of that
+            while (comment != part.npos && comment > 0 && !std::isspace(static_cast<unsigned char>(part[comment - 1])))
+            {
+                comment = part.find('#', comment + 1);
+            }
+            if (comment != part.npos) part.resize(comment);
+            const std::size_t last = part.find_last_not_of(" \t");
+            const bool goesOn = comment == part.npos && last != part.npos && part[last] == '\\';
+            if (goesOn) part[last] = ' ';
+            text += part;
+            if (!goesOn) return true;
+        }
+        return !text.empty();
+    }
+
+    // Its first word, and all of it.
+    static void readName(std::istringstream& words, PatchName& name)
+    {
+        name = {};
+        std::getline(words >> std::ws, name.given);
+        name.given.erase(name.given.find_last_not_of(" \t") + 1);
+        name.word = name.given.substr(0, name.given.find_first_of(" \t"));
     }
 
     void readVertex(std::istringstream& words)
@@ -66,10 +99,10 @@ private:
         std::vector<int> corners;
         for (std::string word; words >> word;) corners.push_back(vertexOf(word));
         if (corners.size() < 3) fail("A face of " + std::to_string(corners.size()) + " vertices", "three or more");
-        const int patch = surface_.patchIndex(!group_.empty() ? group_ : !object_.empty() ? object_ : unnamed_);
-        for (std::size_t k = 2; k < corners.size(); ++k)
+        const int patch = surface_.patchIndex(!group_.word.empty() ? group_ : !object_.word.empty() ? object_ : unnamed_);
+        for (const auto& triangle : trianglesOf(surface_.mesh.vertices, corners))
         {
-            surface_.mesh.faces.push_back({corners[0], corners[k - 1], corners[k]});
+            surface_.mesh.faces.push_back(triangle);
             surface_.patch.push_back(patch);
         }
     }
@@ -91,7 +124,7 @@ private:
     std::string file_;
     std::ifstream in_;
     int line_ = 0;
-    std::string unnamed_, group_, object_;
+    PatchName unnamed_, group_, object_;
     PatchedSurface surface_;
 };
 

@@ -3,7 +3,10 @@
 #include "core/fieldFile/AtomicFile.H"
 #include "core/messages/Error.H"
 #include "meshes/PlyHeader.H"
+#include "meshes/PolygonTriangles.H"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -36,7 +39,13 @@ public:
             else if (element.name == "face") readFaces(element);
             else for (std::size_t i = 0; i < element.count; ++i) readRecord(element);
         }
-        checkIndices();
+        for (const auto& face : mesh_.faces) checkIndices(face);
+        for (const std::vector<int>& polygon : polygons_)
+        {
+            checkIndices(polygon);
+            const auto triangles = trianglesOf(mesh_.vertices, polygon);
+            mesh_.faces.insert(mesh_.faces.end(), triangles.begin(), triangles.end());
+        }
         return std::move(mesh_);
     }
 
@@ -48,9 +57,10 @@ private:
 
     template<class T> double binaryValue()
     {
-        T value{};
-        in_.read(reinterpret_cast<char*>(&value), sizeof value);
-        return double(value);
+        std::array<char, sizeof(T)> bytes{};
+        in_.read(bytes.data(), bytes.size());
+        if (header_.bigEndian) std::reverse(bytes.begin(), bytes.end());
+        return double(std::bit_cast<T>(bytes));
     }
 
     double value(PlyScalar type)
@@ -88,7 +98,7 @@ private:
         {
             const PlyProperty& property = element.properties[p];
             const double count = property.list ? value(property.countType) : 1;
-            if (!(count >= 0)) fail("A list of negative length in element " + position_);
+            if (!(count >= 0 && count <= std::numeric_limits<int>::max())) fail("A list of impossible length in element " + position_);
             record_[p].clear();
             for (long i = 0; i < long(count); ++i) record_[p].push_back(value(property.type));
         }
@@ -140,9 +150,11 @@ private:
             position_ = "face " + std::to_string(i);
             const std::vector<double>& corners = readRecord(element)[at];
             if (corners.size() < 3) fail("Element " + position_ + " has fewer than three vertices");
-            for (std::size_t k = 2; k < corners.size(); ++k)
+            if (corners.size() == 3) mesh_.faces.push_back({index(corners[0]), index(corners[1]), index(corners[2])});
+            else
             {
-                mesh_.faces.push_back({index(corners[0]), index(corners[k - 1]), index(corners[k])});
+                polygons_.emplace_back();
+                for (const double corner : corners) polygons_.back().push_back(index(corner));
             }
         }
     }
@@ -155,19 +167,12 @@ private:
     }
 
     // After all elements, for vertices may follow the faces.
-    void checkIndices() const
+    template<class Corners> void checkIndices(const Corners& corners) const
     {
-        for (const auto& face : mesh_.faces)
+        for (const int corner : corners)
         {
-            for (const int corner : face)
-            {
-                if (corner < int(mesh_.vertices.size())) continue;
-                fail
-                (
-                    "A face names vertex " + std::to_string(corner),
-                    "an index below " + std::to_string(mesh_.vertices.size())
-                );
-            }
+            if (corner < int(mesh_.vertices.size())) continue;
+            fail("A face names vertex " + std::to_string(corner), "an index below " + std::to_string(mesh_.vertices.size()));
         }
     }
 
@@ -177,6 +182,7 @@ private:
     std::vector<std::vector<double>> record_;
     std::string position_;              // "vertex 12", for messages
     TriangleMesh mesh_;
+    std::vector<std::vector<int>> polygons_;    // of more than three corners
 };
 
 void writeHeader(std::ostream& out, const TriangleMesh& mesh, PlyFormat format)

@@ -39,21 +39,23 @@ public:
             {
                 std::string format;
                 words >> format;
-                if (format != "ascii" && format != "binary_little_endian")
+                if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
                 {
                     throw FatalInputError
                     (
                         {file_.string(), header_.lines}, "Unknown format '" + format + "'", "",
-                        {"ascii", "binary_little_endian"}, format
+                        {"ascii", "binary_little_endian", "binary_big_endian"}, format
                     );
                 }
                 header_.ascii = format == "ascii";
+                header_.bigEndian = format == "binary_big_endian";
                 formatGiven = true;
             }
             else if (keyword == "element")
             {
                 PlyElement element;
                 if (!(words >> element.name >> element.count)) fail("Malformed: " + text, "element NAME COUNT");
+                element.line = header_.lines;
                 header_.elements.push_back(element);
             }
             else if (keyword == "property")
@@ -71,6 +73,7 @@ public:
             }
         }
         if (!formatGiven) fail("The header has no format");
+        checkCounts();
         return std::move(header_);
     }
 
@@ -87,6 +90,27 @@ private:
         ++header_.lines;
         if (!text.empty() && text.back() == '\r') text.pop_back();
         return text;
+    }
+
+    // No more elements than the rest of the file has room for: a number in text takes two bytes, one in binary one at least.
+    void checkCounts() const
+    {
+        std::error_code error;
+        const auto size = std::filesystem::file_size(file_, error);
+        if (error) return;
+        for (const PlyElement& element : header_.elements)
+        {
+            const std::size_t least = (header_.ascii ? 2 : 1)*element.properties.size();
+            const bool empty = least == 0 && element.count > 0;
+            if (!empty && (element.count == 0 || element.count <= (size + 1)/least)) continue;
+            throw FatalInputError
+            (
+                {file_.string(), element.line},
+                "The header announces " + std::to_string(element.count) + " elements '" + element.name + "' "
+                    + (empty ? "without a property" : "in a file of " + std::to_string(size) + " bytes"),
+                empty ? "properties behind the element" : "a count that the file has room for"
+            );
+        }
     }
 
     PlyScalar scalarOf(const std::string& name) const

@@ -80,9 +80,13 @@ public:
         {
             if (iequals(word, "solid"))          // keywords come in any case
             {
-                const std::string name(words_.next(true));
-                patch = surface.patchIndex(name.empty() ? unnamed_ : name);
-                words_.skipLine();
+                PatchName name;
+                for (std::string_view part = words_.next(true); !part.empty(); part = words_.next(true))
+                {
+                    if (name.word.empty()) name.word = part;
+                    name.given += (name.given.empty() ? "" : " ") + std::string(part);
+                }
+                patch = surface.patchIndex(name.word.empty() ? PatchName{unnamed_, unnamed_} : name);
             }
             else if (iequals(word, "facet") && patch >= 0)
             {
@@ -159,7 +163,11 @@ PatchedSurface readBinary(const std::string& file, std::string_view bytes, const
     std::uint32_t facets = 0;
     if (bytes.size() >= binaryHeader) std::memcpy(&facets, bytes.data() + binaryHeader - sizeof(facets), sizeof(facets));
     const std::size_t size = binaryHeader + binaryFacet*std::size_t(facets);
-    if (bytes.size() != size)
+    if (bytes.size() > size && facets > 0)
+    {
+        warning(std::to_string(bytes.size() - size) + " bytes behind the last facet of the binary STL are not read", {file, 0});
+    }
+    else if (bytes.size() != size)
     {
         throw FatalInputError
         (

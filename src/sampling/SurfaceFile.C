@@ -2,13 +2,19 @@
 
 #include "core/messages/Error.H"
 #include "meshes/ObjFile.H"
+#include "meshes/PlyFile.H"
+#include "meshes/PolygonTriangles.H"
 #include "meshes/StlFile.H"
 
 #include <CGAL/IO/OFF.h>
-#include <CGAL/IO/PLY.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <stdexcept>
 
 namespace shizuku
 {
@@ -18,18 +24,20 @@ namespace
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
-PatchedSurface readPolygons(const std::filesystem::path& file, const std::string& extension, const std::string& unnamed)
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& found)
+{
+    throw FatalInputError({file.string(), 0}, found);
+}
+
+PatchedSurface readOff(const std::filesystem::path& file, const std::string& unnamed)
 {
     std::vector<Point> points;
     std::vector<std::vector<std::size_t>> polygons;
-    const std::string name = file.string(), format = extension == ".ply" ? "PLY" : "OFF";
-    const bool good =
-        extension == ".ply" ? CGAL::IO::read_PLY(name, points, polygons)
-      : CGAL::IO::read_OFF(name, points, polygons);
-    if (!good || polygons.empty())
-    {
-        throw FatalInputError({name, 0}, "The file is no " + format + " surface, not all of one, or has no face");
-    }
+    bool good = false;
+    try { good = CGAL::IO::read_OFF(file.string(), points, polygons); }
+    catch (const std::length_error&) {}         // counts that no file has room for
+    catch (const std::bad_alloc&) {}
+    if (!good || polygons.empty()) fail(file, "The file is no OFF surface, not all of one, or has no face");
 
     PatchedSurface surface;
     surface.patches = {unnamed};
@@ -37,23 +45,34 @@ PatchedSurface readPolygons(const std::filesystem::path& file, const std::string
     {
         if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
         {
-            throw FatalInputError({name, 0}, "The surface has a coordinate that is no finite number");
+            fail(file, "The surface has a coordinate that is no finite number");
         }
         surface.mesh.vertices.emplace_back(p.x(), p.y(), p.z());
     }
     for (const auto& polygon : polygons)
     {
-        for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+        if (polygon.size() < 3) continue;
+        if (*std::max_element(polygon.begin(), polygon.end()) >= points.size())
         {
-            const std::array<std::size_t, 3> corners{polygon[0], polygon[k], polygon[k + 1]};
-            if (*std::max_element(corners.begin(), corners.end()) >= points.size())
-            {
-                throw FatalInputError({name, 0}, "A face of the surface names a vertex that is not there");
-            }
-            surface.mesh.faces.push_back({int(corners[0]), int(corners[1]), int(corners[2])});
-            surface.patch.push_back(0);
+            fail(file, "A face of the surface names a vertex that is not there");
+        }
+        for (const auto& triangle : trianglesOf(surface.mesh.vertices, std::vector<int>(polygon.begin(), polygon.end())))
+        {
+            surface.mesh.faces.push_back(triangle);
         }
     }
+    surface.patch.assign(surface.mesh.faces.size(), 0);
+    return surface;
+}
+
+PatchedSurface readPlySurface(const std::filesystem::path& file, const std::string& unnamed)
+{
+    PatchedSurface surface;
+    surface.mesh = readPly(file);
+    surface.mesh.normals.clear();
+    surface.patches = {unnamed};
+    surface.patch.assign(surface.mesh.faces.size(), 0);
+    if (surface.mesh.faces.empty()) fail(file, "The PLY surface has no face");
     return surface;
 }
 
@@ -76,7 +95,7 @@ PatchedSurface readSurface(const std::filesystem::path& file, const std::string&
     const auto size = std::filesystem::file_size(file, error);
     if (error) throw FatalInputError({file.string(), 0}, "Cannot read the surface file " + file.string());
     if (size == 0) throw FatalInputError({file.string(), 0}, "The surface file is empty", "a surface");
-    return readPolygons(file, extension, unnamed);
+    return extension == ".ply" ? readPlySurface(file, unnamed) : readOff(file, unnamed);
 }
 
 }

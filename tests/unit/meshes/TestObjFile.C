@@ -25,6 +25,44 @@ TEST(ObjFile, facesGroupsAndPolygonsAreRead)
     EXPECT_DOUBLE_EQ(surface.mesh.area(), 2);
 }
 
+TEST(ObjFile, linesGoOnBehindABackslashAndEndBeforeAComment)
+{
+    const ScratchFolder folder;
+    const auto file = folder.write
+    (
+        "a.obj", "v 0 0 0 # first\nv 2 0 0\nv 2 2 \\\n0\nv 0 2 0\r\ng part#1 # the left one\nf 1 2 \\\r\n3 \\\n4\nf 1 2 3 # comment\n"
+    );
+    const PatchedSurface surface = readObj(file, "wall");
+    EXPECT_EQ(surface.mesh.vertices.size(), 4u);
+    EXPECT_EQ(surface.mesh.faces.size(), 3u);
+    EXPECT_DOUBLE_EQ(surface.mesh.area(), 4 + 2);
+    EXPECT_EQ(surface.patches, (std::vector<std::string>{"part_1"}));
+}
+
+TEST(ObjFile, concavePolygonsKeepTheirNotch)
+{
+    const ScratchFolder folder;
+    // An L of three unit squares, its inner corner (1 1): from each corner as the first one.
+    for (int first = 0; first < 6; ++first)
+    {
+        std::string text = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf";
+        for (int k = 0; k < 6; ++k) text += " " + std::to_string((first + k)%6 + 1);
+        const TriangleMesh mesh = readObj(folder.write("a.obj", text + "\n"), "wall").mesh;
+        EXPECT_EQ(mesh.faces.size(), 4u);
+        EXPECT_NEAR(mesh.area(), 3, 1e-12);     // a fan from most of its corners has more
+    }
+}
+
+TEST(ObjFile, namesThatAreAlikeAsWordsAreKeptApart)
+{
+    const ScratchFolder folder;
+    std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (const char* name : {"a/b", "a_b", "wall one", "wall two", "床", "壁", "a/b"}) text += std::string("g ") + name + "\nf 1 2 3\n";
+    const PatchedSurface surface = readObj(folder.write("a.obj", text), "wall");
+    EXPECT_EQ(surface.patches, (std::vector<std::string>{"a_b", "a_b_2", "wall", "wall_two", "床", "壁"}));
+    EXPECT_EQ(surface.patch, (std::vector<int>{0, 1, 2, 3, 4, 5, 0}));
+}
+
 TEST(ObjFile, badFilesAreRefusedWithTheLine)
 {
     const ScratchFolder folder;

@@ -70,11 +70,24 @@ TEST_F(PlyFile, BothFormatsGiveBackWhatWasWritten)
         {
             for (int c = 0; c < 3; ++c)
             {
-                EXPECT_EQ(back.vertices[i][c], double(float(mesh.vertices[i][c])));   // floats pass unchanged
+                // Text has 14 digits; doubles pass unchanged.
+                EXPECT_NEAR(back.vertices[i][c], mesh.vertices[i][c], format == PlyFormat::ascii ? 1e-13 : 0);
                 EXPECT_EQ(back.normals[i][c], double(float(mesh.normals[i][c])));
             }
         }
     }
+}
+
+TEST_F(PlyFile, BigEndianFilesAreRead)
+{
+    std::string bytes = "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::string one("\x3f\x80\0\0", 4), zero(4, '\0');
+    bytes += zero + zero + zero + one + zero + zero + zero + one + zero + '\3' + zero
+        + std::string("\0\0\0\1\0\0\0\2", 8);
+    const TriangleMesh mesh = readPly(file(bytes));
+    EXPECT_EQ(mesh.vertices[1], Vector3(1, 0, 0));
+    EXPECT_EQ(mesh.faces.at(0), (std::array<int, 3>{0, 1, 2}));
 }
 
 TEST_F(PlyFile, NothingElseIsLeftBeside)
@@ -103,7 +116,7 @@ TEST_F(PlyFile, BadFilesAreRefusedWithTheirReason)
 {
     expectContains(errorOf("solid floor\n"), "not 'ply'");
     expectContains(errorOf("ply\nformat ascii 1.0\nelement vertex 3\n"), "end_header");
-    expectContains(errorOf("ply\nformat binary_big_endian 1.0\nend_header\n"), "binary_little_endian");
+    expectContains(errorOf("ply\nformat binary_middle_endian 1.0\nend_header\n"), "binary_big_endian");
     expectContains(errorOf("ply\nformat ascii 1.0\nelement vertex 1\nproperty flaot x\nend_header\n0\n"), "flaot");
     expectContains(errorOf(triangleHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), "names vertex 3");
     expectContains(errorOf(triangleHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -2\n"), "out of range");
@@ -112,6 +125,21 @@ TEST_F(PlyFile, BadFilesAreRefusedWithTheirReason)
     expectContains(errorOf(triangleHeader + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n"), "fewer than three");
     expectContains(errorOf(triangleHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1\n"), "ends within element face 0");
     EXPECT_THROW(readPly(folder_/"absent.ply"), FatalInputError);
+}
+
+TEST_F(PlyFile, CountsThatTheFileHasNoRoomForAreRefusedWithTheLine)
+{
+    expectContains(errorOf("ply\nformat ascii 1.0\nproperty float x\nend_header\n"), "before any element");
+    const std::string huge = "18446744073709551615";
+    for (const std::string format : {"ascii", "binary_little_endian"})
+    {
+        const std::string begin = "ply\nformat " + format + " 1.0\nelement foo " + huge + "\n";
+        expectContains(errorOf(begin + "end_header\n"), "without a property");
+        expectContains(errorOf(begin + "property float x\nend_header\n"), huge);
+        expectContains(errorOf(begin + "property list uchar int x\nend_header\n"), "room");
+        expectContains(errorOf(begin + "end_header\n"), "3");
+    }
+    expectContains(errorOf("ply\nformat ascii 1.0\nelement vertex -3\nproperty float x\nend_header\n"), "room");
 }
 
 TEST_F(PlyFile, TruncatedBinaryFileIsRefused)

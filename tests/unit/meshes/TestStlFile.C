@@ -86,6 +86,7 @@ TEST(StlFile, badFilesAreRefused)
     }
     const std::string binary = binaryStl(cube(1), "binary");
     // 84 + 12*50 bytes announced.
+    EXPECT_EQ(readStl(folder.write("tail.stl", binary + "xy"), "wall").mesh.faces.size(), 12u);     // with a warning
     EXPECT_TRUE(holds(message("short.stl", binary.substr(0, 500)), {"500 bytes", "684 bytes", "12 facets"}));
     EXPECT_TRUE(holds(messageOf([&] { readStl(folder.path()/"absent.stl", "wall"); }), {"absent.stl"}));
 }
