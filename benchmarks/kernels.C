@@ -31,7 +31,8 @@ public:
         test::RandomNumbers random(1);
         for (const Vec3 p : test::latticeBlock(edge, edge, edge, 1))
         {
-            positions.push_back(liquid.spacing() * (p + random(Vec3{-0.1f, -0.1f, -0.1f}, Vec3{0.1f, 0.1f, 0.1f})));
+            const Vec3 x = liquid.spacing() * (p + random(Vec3{-0.1f, -0.1f, -0.1f}, Vec3{0.1f, 0.1f, 0.1f}));
+            positions.push_back(positionAt(x.x, x.y, x.z));
         }
         liquid.resize(int(positions.size()));
         liquid.position.upload(positions);
@@ -51,7 +52,7 @@ public:
     Liquid liquid;
     Walls walls;
     Neighbourhood near;
-    std::vector<Vec3> positions;        // as in the lattice
+    std::vector<Position> positions;    // as in the lattice
 };
 
 void densitySum(benchmark::State& state)
@@ -66,7 +67,7 @@ struct StoreConstraint
 {
     CubicSpline W;
     scalar volume;
-    Span<const Vec3> x;
+    Span<const Position> x;
     NeighbourView near;
     Span<scalar> constraint;
 
