@@ -43,11 +43,11 @@ set(SHIZUKU_DEVICE_TESTS
     models/surfaceTension/laplacePressure/TestLaplacePressure.C
     models/surfaceTension/pairTension/TestPairTension.C
     models/surfaceTension/surfaceCurvature/TestRegressedCurvature.C
+    models/velocityFilter/affine/TestAffine.C
     models/viscosity/TestMomentum.C
     models/viscosity/XSPH/TestXSPH.C
     models/viscosity/laminar/TestLaminar.C
     models/viscosity/newtonian/TestNewtonian.C
-    models/velocityFilter/affine/TestAffine.C
     models/wetting/Akinci2013/TestAkinci2013.C
     models/wetting/adhesionRatio/TestAdhesionRatio.C
     models/wetting/contactAngle/TestContactAngle.C

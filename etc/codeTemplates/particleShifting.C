@@ -19,25 +19,25 @@ struct Diffuse
 {
     Kernel W;
     scalar factor;                      // a h^2 V
-    Span<const Vec3> x;
+    Span<const Position> x;
     NeighbourView near;
     WallStop stop;
-    Span<Vec3> shifted;
+    Span<Position> shifted;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
         Team::Vector sum;
         near.forEach(i, xi, x, [&](auto, auto r) { sum += W.g(norm(r)) * r; }, team);
-        const Vec3 admitted = stop(i, xi - factor * team.sum(sum), team);
-        if (team.first()) shifted[i] = admitted;
+        const Position admitted = stop(i, xi - factor * team.sum(sum), team);
+        if (team.first()) shifted[i] = withBlock(xi, admitted);
     }
 };
 
 class @class@ : public ParticleShifting
 {
 public:
-    @class@(const Dictionary& coeffs, Liquid&, Walls&, FreeSurface&)
+    @class@(const Dictionary& coeffs, Liquid&, const Walls&, FreeSurface&)
     :
         strength_(scalar(coeffs.lookupOr("strength", 0.01)))
     {

@@ -27,9 +27,9 @@ TEST(@class@, MovesAPairApartByItsFormula)
     const auto position = drop.inOrder(drop.liquid.position);
     // In spacings V = 1 and h = 2; dW/dr at r/h = q = 0.4, below a half, is (8/pi)/h^4 (18 q^2 - 12 q).
     const double shift = 0.02 * 4 * (4.8 - 2.88) / (2 * std::numbers::pi), d = drop.liquid.spacing();
-    // In single precision.
-    EXPECT_NEAR(position[0].x, -shift * d, 1e-6);
-    EXPECT_NEAR(position[1].x, (0.8 + shift) * d, 1e-6);
+    // Places are rounded.
+    EXPECT_NEAR(position[0].x, -shift * d, 2 * quanta::each);
+    EXPECT_NEAR(position[1].x, (0.8 + shift) * d, 2 * quanta::each);
     EXPECT_EQ(position[0].y, 0);
 }
 

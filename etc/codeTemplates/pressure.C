@@ -16,13 +16,13 @@ namespace
 struct Separate
 {
     scalar spacing;
-    Span<const Vec3> x;
+    Span<const Position> x;
     NeighbourView near;
-    Span<Vec3> corrected;
+    Span<Position> corrected;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
         Vec3 sum;
         int close = 0;
         near.forEach(i, [&](int j)
@@ -40,7 +40,7 @@ struct Separate
 class @class@ : public Pressure
 {
 public:
-    @class@(const Dictionary& dict, Liquid&, Walls&, FreeSurface&) : iterations_(dict.lookupOr("iterations", 4))
+    @class@(const Dictionary& dict, Liquid&, const Walls&, FreeSurface&) : iterations_(dict.lookupOr("iterations", 4))
     {
         if (iterations_ < 1) throw FatalInputError(dict.where("iterations"), "iterations is not positive", "1 or more");
     }
@@ -60,7 +60,7 @@ public:
 
 private:
     int iterations_, made_ = 0;
-    Buffer<Vec3> corrected_;
+    Buffer<Position> corrected_;
 };
 
 const PressureTable::Add<@class@> registered{"@word@"};

@@ -27,10 +27,10 @@ TEST(@class@, SeparatesAPairByASpacing)
 
     const auto moved = drop.inOrder(drop.liquid.predicted);
     const scalar d = drop.liquid.spacing();
-    // Both move by half of what is missing; single precision.
-    EXPECT_NEAR(moved[0].x, -0.2 * d, 1e-6);
-    EXPECT_NEAR(moved[1].x, 0.8 * d, 1e-6);
-    EXPECT_EQ(moved[2].x, 5 * d);
+    // Both move by half of what is missing; places are rounded.
+    EXPECT_NEAR(moved[0].x, -0.2 * d, 2 * quanta::each);
+    EXPECT_NEAR(moved[1].x, 0.8 * d, 2 * quanta::each);
+    EXPECT_EQ(moved[2].x, rounded(5 * d));
 }
 
 TEST(@class@, RefusesNoIterations)

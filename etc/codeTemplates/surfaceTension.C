@@ -20,13 +20,13 @@ struct Attract
 {
     Kernel W;
     scalar weight;                      // strength sigma/(rho0 d^3) V
-    Span<const Vec3> x;
+    Span<const Position> x;
     NeighbourView near;
     Span<Vec3> acceleration;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const Vec3 xi = x[i];
+        const Position xi = x[i];
         Vec3 sum;
         near.forEach(i, [&](int j) { sum += W.W(norm(xi - x[j])) * (xi - x[j]); });
         acceleration[i] -= weight * sum;
@@ -36,7 +36,7 @@ struct Attract
 class @class@ : public SurfaceTension
 {
 public:
-    @class@(const Dictionary& coeffs, Liquid& liquid, Walls&, FreeSurface&)
+    @class@(const Dictionary& coeffs, Liquid& liquid, const Walls&, FreeSurface&)
     {
         const double strength = coeffs.lookupOr("strength", 1.0);
         if (!(strength >= 0)) throw FatalInputError(coeffs.where("strength"), "The strength is negative", "0 or more");

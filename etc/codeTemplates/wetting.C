@@ -17,7 +17,7 @@ namespace
 struct PullToWalls
 {
     scalar strength;
-    Span<const Vec3> x;
+    Span<const Position> x;
     WallView walls;
     Span<Vec3> acceleration;
 
@@ -25,9 +25,9 @@ struct PullToWalls
     {
         Vec3 sum;
         walls.particles.near.forEach(i, [&](int k) { sum += walls.particles.normal[k]; });
-        walls.surfaces.forEach(x[i], [&](const WallSurface&, const WallSurface::Place& place, const HalfSpaceValues&)
+        walls.forEachSurface(i, x[i], [&](const WallSurface&, const WallSurface::Nearest& wall, const HalfSpaceValues&)
         {
-            sum += place.normal;
+            sum += wall.normal;
         });
         const scalar length = norm(sum);
         if (length > 0) acceleration[i] -= strength / length * sum;
@@ -37,7 +37,7 @@ struct PullToWalls
 class @class@ : public Wetting
 {
 public:
-    @class@(const Dictionary& coeffs, Liquid& liquid, Walls&, const SurfaceTension&)
+    @class@(const Dictionary& coeffs, Liquid& liquid, const Walls&, const SurfaceTension&)
     {
         const double strength = coeffs.lookupDimensionedOr("strength", dimensions::acceleration, 10);
         if (!(strength >= 0)) throw FatalInputError(coeffs.where("strength"), "The strength is negative", "0 or more");
@@ -47,7 +47,7 @@ public:
     void apply(Liquid& liquid, const Neighbourhood&, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
         if (walls.particles() == 0 && walls.surfaces() == 0) return;
-        forEach(liquid.owned(), PullToWalls{strength_, liquid.predicted.span(), walls.view(), acceleration.span()});
+        forEach(liquid.owned(), PullToWalls{strength_, liquid.predicted.span(), walls.view(liquid), acceleration.span()});
     }
 
 private:

@@ -58,7 +58,7 @@ TEST_P(Precision, SingleAndDoubleAgreeOnAStep)
     ASSERT_EQ(outcome.status, 0) << outcome.text;
     EXPECT_TRUE(holds(outcome.text, {"Device : cpu, "}));
     const std::vector<double> positions = field("positions"), velocities = field("U");
-    const std::string single = read("0.0002/liquid/positions");
+    const std::string single = read("0.0002/liquid/U");
     removeResults();
     outcome = solve("-precision double");
     ASSERT_EQ(outcome.status, 0) << outcome.text;
@@ -72,8 +72,8 @@ TEST_P(Precision, SingleAndDoubleAgreeOnAStep)
     EXPECT_GT(moved, 1e-7*spacing);
     EXPECT_LT(largestDifference(velocities, field("U")), 2*tolerance/dt);
 
-    // Numbers of 64 bits, of which a third or more of the bits would be zeros had they been floats.
-    const std::string twice = read("0.0002/liquid/positions");
+    // Places have 64 bits in either precision, velocities only in double.
+    const std::string twice = read("0.0002/liquid/U");
     EXPECT_TRUE(holds(single, {"scalar=32"}));
     EXPECT_TRUE(holds(twice, {"scalar=64"}));
     EXPECT_NEAR(double(twice.size() - single.size()), particles*3*4.0, 1);

@@ -337,7 +337,9 @@ TEST_P(Input, liquidFarFromTheOrigin)
         write("0/liquid/U", vectors("[0 1 -1 0 0 0 0]", "uniform (0 0 0)"));
     };
     at("0 -50 0.01");                   // 50,000 spacings
-    expectRefusal({"50 m from the origin", "0/liquid/positions", "-precision double"});
+    EXPECT_EQ(solve("-dry-run").status, 0);
+    at("0 -5000 0.01");                 // more than 2^22: places are not told apart there
+    expectRefusal({"-5000", "is too large", "0/liquid/positions"});
 }
 
 TEST_P(Input, binaryFields)
@@ -462,9 +464,6 @@ TEST_P(Input, aRunThatDiverges)
     control("adjustTimeStep no; deltaT 1; endTime 10;");
     const std::string kept = "last good state is kept in " + (path()/"0.004").string();
     expectRefusal({"diverged", "m/s", "particle spacings in one step of 1 s", kept, "deltaT"});
-    // Not finite.
-    control("adjustTimeStep no; deltaT 1e30; endTime 1e31;");
-    expectRefusal({"diverged", "294 particles is not a finite number", kept});
     // With sub-steps it needs too many of them.
     control("deltaT 10; endTime 100;");
     expectRefusal({"sub-steps", "maxSubSteps 1000", "deltaT"});
