@@ -9,6 +9,7 @@
 #include "models/bodyForce/BodyForce.H"
 
 #include <cmath>
+#include <cstdint>
 
 namespace shizuku
 {
@@ -18,15 +19,17 @@ namespace
 
 struct PredictBelow
 {
-    scalar dt, top;
+    scalar dt;
+    std::int64_t top;                   // quanta
     Vec3 change;                        // dt g
-    Span<const Vec3> position, velocity;
-    Span<Vec3> predicted;
+    Span<const Position> position;
+    Span<const Vec3> velocity;
+    Span<Position> predicted;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const Vec3 x = position[i];
-        predicted[i] = x + dt * (x.z < top ? velocity[i] + change : velocity[i]);
+        const Position x = position[i];
+        predicted[i] = withBlock(x, x + dt * (placeOf(x).z < top ? velocity[i] + change : velocity[i]));
     }
 };
 
@@ -43,7 +46,7 @@ public:
         magnitude_ = std::hypot(g[0], g[1], g[2]);
         const auto scaled = [&](double a) { return liquid.units().toScaled(a, dimensions::acceleration); };
         g_ = {scaled(g[0]), scaled(g[1]), scaled(g[2])};
-        top_ = liquid.units().toScaled(top, dimensions::length);
+        top_ = quanta::wholeOf(liquid.units().toScaled(top, dimensions::length));
     }
 
     void predict(Liquid& liquid, scalar dt) const override
@@ -55,7 +58,7 @@ public:
 
 private:
     Vec3 g_;                            // scaled
-    scalar top_;                        // scaled
+    std::int64_t top_;                  // quanta
     double magnitude_;                  // m/s2
 };
 
