@@ -191,7 +191,7 @@ void writeHeader(std::ostream& out, const TriangleMesh& mesh, PlyFormat format)
         << "comment lengths in metres\n"
         << "element vertex " << mesh.vertices.size() << '\n'
         << "property double x\nproperty double y\nproperty double z\n";        // a mesh may lie far from the origin
-    if (!mesh.normals.empty()) out << "property double nx\nproperty double ny\nproperty double nz\n";
+    if (!mesh.normals.empty()) out << "property float nx\nproperty float ny\nproperty float nz\n";
     out << "element face " << mesh.faces.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
@@ -223,7 +223,7 @@ void writeBinary(std::ostream& out, const TriangleMesh& mesh)
     {
         for (int c = 0; c < 3; ++c) append(mesh.vertices[i][c]);
         if (mesh.normals.empty()) continue;
-        for (int c = 0; c < 3; ++c) append(mesh.normals[i][c]);
+        for (int c = 0; c < 3; ++c) append(float(mesh.normals[i][c]));
     }
     for (const auto& face : mesh.faces)
     {
