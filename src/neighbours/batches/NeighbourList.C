@@ -26,10 +26,10 @@ struct Search
         const scalar support2 = support * support;
         const int self = sameSet ? i : -1;
         const SameImage isSame{!sameSet || grid.looksAtImages()};
-        forEachBatch(grid, AroundPoint{p, support}, [&](auto j, int end)
+        forEachBatch(grid, AroundPoint{p, support}, [&](auto j)
         {
             const Positions x = sources[j];
-            const Ints isNear = areNear(p, x) & (squared(nearDifference(p, x)) < support2) & (j < end) & (j != self);
+            const Ints isNear = areNear(p, x) & (squared(nearDifference(p, x)) < support2) & j.counts() & (j != self);
             visit(j, noneOf(isNear) ? isNear : sameAmong(isNear, p, sources, j, isSame));
         });
     }
