@@ -5,11 +5,15 @@ set(SHIZUKU_DEVICE_SOURCES
     device/Profile.C
     device/ProfileTable.C
     particles/Units.C
+    parallel/PartsOfProcess.C
     particles/FieldRegistry.C
+    particles/Ghosts.C
     particles/ParticleFiles.C
     particles/Liquid.C
     neighbours/CellGrid.C
     neighbours/Neighbourhood.C
+    neighbours/PartsOfLiquid.C
+    neighbours/RowCut.C
     walls/HalfSpace.C
     walls/TangentPlanes.C
     walls/SampledLayer.C

@@ -58,6 +58,7 @@ set(SHIZUKU_DEVICE_TESTS
     particles/TestFieldRegistry.C
     particles/TestParticleFiles.C
     particles/TestUnits.C
+    stepping/TestParts.C
     stepping/TestRestart.C
     stepping/TestStartCheck.C
     stepping/TestSubStep.C

@@ -15,22 +15,41 @@ namespace shizuku
 namespace
 {
 
+struct Copy
+{
+    Span<const std::uint32_t> from;
+    Span<std::uint32_t> to;
+
+    HOST_DEVICE void operator()(int i) const { to[i] = from[i]; }
+};
+
 // Tells the particles near the surface from those deep inside, all around which there is liquid that has liquid all around:
 // the surface is farther than the density's support.
 struct FindSurface
 {
     NeighbourView near;
+    Span<const std::uint32_t> count;        // of neighbours, of ghosts too
     std::uint32_t leastInside;              // neighbours: fewer have those at the surface
     Span<std::uint8_t> isNear;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        scalar open = near.count[i] < leastInside ? 1 : 0;
-        near.forEach(i, [&](int j) { if (near.count[j] < leastInside) open = 1; }, team);
+        scalar open = count[i] < leastInside ? 1 : 0;
+        near.forEach(i, [&](int j) { if (count[j] < leastInside) open = 1; }, team);
         open = team.sum(open);
         if (team.first()) isNear[i] = open > 0;
     }
 };
+
+// How many neighbours each particle has, ghosts included.
+Span<const std::uint32_t> countsOfAll(const Liquid& liquid, Span<const std::uint32_t> ofOwned, Buffer<std::uint32_t>& room)
+{
+    if (liquid.parts().parts() == 1) return ofOwned;
+    room.resizeDiscarding(liquid.all());
+    forEach(liquid.owned(), Copy{ofOwned, room.span()});
+    liquid.ghosts().copy(room);
+    return room.span();
+}
 
 // The liquid's part in the colour and its gradient.
 struct SumColour
@@ -184,9 +203,11 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
     if (!active()) return;
     if (found_ > room_) makeRoom();
     if (!extended_) extended_.emplace(*kernel_, walls.contactAngles(kernel_->h));
-    const int n = liquid.owned();
-    Buffer<std::uint8_t> isNear(n);
-    forEachTeam(n, FindSurface{near.view(), leastInside(liquid), isNear.span()});
+    Buffer<std::uint32_t> counts;
+    Buffer<std::uint8_t> isNear(liquid.all());
+    forEachTeam(liquid.owned(), FindSurface{near.view(), countsOfAll(liquid, near.view().count, counts), leastInside(liquid), isNear.span()});
+    liquid.ghosts().copy(isNear);
+    particles_.ghosts = liquid.all() - liquid.owned();
     select(isNear, particles_, room_, readCount_);
     asked_ = true;
     if (room_ == 0 && cutOff())
@@ -204,6 +225,7 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
         liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view(liquid)}, plane(), steepest_},
         depthOfRatio_.span(), largestRatio_, suction_, place, gradient_.span(), position_.span(), contact_.span()
     });
+    liquid.ghosts().copy(particles_, position_);
 }
 
 }

@@ -51,6 +51,26 @@ Models::Models(const std::filesystem::path& casePath, const Dictionary& solution
     if (forces.usesContactAngles() && walls.particles() + walls.surfaces() > 0) angles = walls.readAngles();
 }
 
+void Models::refuseParts() const
+{
+    const auto refuse = [&](const std::string& kind, const auto& model)
+    {
+        if (model.seesGhosts()) return;
+        throw FatalInputError
+        (
+            dict.where(kind), "The liquid cannot be cut into parts with " + kind + " " + dict.lookupOr<std::string>(kind, "none") + " as it is",
+            "pressure completedPbf (without coarseGrid) or pbf, surfaceTension laplacePressure or Fujisawa2014, wetting extendedSurface or contactAngle "
+            "(of solidNormal wall or zero), viscosity XSPH, or none of them"
+        );
+    };
+    refuse("pressure", *pressure);
+    refuse("surfaceTension", forces.tension());
+    refuse("wetting", forces.wetting());
+    refuse("velocityFilter", *velocityFilter);
+    refuse("viscosity", *viscosity);
+    refuse("particleShifting", *particleShifting);
+}
+
 void Models::takeEffect(const Liquid& liquid, Walls& walls) const
 {
     walls.use(liquid, {freeSurface->support(), freeSurface->agreed().closest, angles});

@@ -18,6 +18,7 @@ namespace
 struct CountInCells
 {
     CellGridView grid;
+    int owned;
     Span<const Position> positions, start;
     Span<std::uint32_t> keys, places, count, wide;
 
@@ -25,7 +26,7 @@ struct CountInCells
     {
         const Position p = at(i);
         if (quanta::single && isFar(p, at(0))) wide[0] = 1;
-        const std::uint32_t key = grid.key(p);
+        const std::uint32_t key = grid.key(p) + (i < owned ? 0 : grid.ghosts);
         keys[i] = key;
         places[i] = increment(count[int(key)]);
     }
@@ -108,7 +109,7 @@ CellGrid::CellGrid(scalar cellSize, scalar reach)
     leastBitsX_(bitsOfSearch(reach, cellSize / device::cellsInWidth, CellGridView::mostApart))
 {}
 
-void CellGrid::chooseSize(int n)
+void CellGrid::chooseSize(int n, bool withGhosts)
 {
     // About one cell a particle: a full cell holds several, so liquid spread thinly still finds room. As far along each axis.
     constexpr std::uint32_t moreAlongX = device::cellsInWidth - 1;
@@ -117,7 +118,8 @@ void CellGrid::chooseSize(int n)
     bitsX_ = std::max((bits - moreAlongX + 2) / 3 + moreAlongX, leastBitsX_);
     bitsY_ = (bits - bitsX_ + 1) / 2;
     bitsZ_ = bits - bitsX_ - bitsY_;
-    start_.resizeDiscarding((1 << bits) + 1);
+    withGhosts_ = withGhosts;
+    start_.resizeDiscarding((withGhosts ? 2 << bits : 1 << bits) + 1);
 }
 
 CellGridView CellGrid::view() const
@@ -128,23 +130,29 @@ CellGridView CellGrid::view() const
     return
     {
         cellSize, perCell, device::cellsInWidth * perCell, width_, perWidth, shifts, bitsX_, bitsY_, bitsZ_, start_.span(),
-        wide_.span().data
+        withGhosts_ ? 1u << (bitsX_ + bitsY_ + bitsZ_) : 0, wide_.span().data
     };
+}
+
+int CellGrid::cellsWithin(scalar reach) const
+{
+    const CellGridView grid = view();
+    return int(std::ceil(grid.widened(reach) * grid.perCell));
 }
 
 Buffer<std::uint32_t> CellGrid::build
 (
-    Span<const Position> positions, int n, Span<const std::uint32_t> id, Span<const Position> start
+    Span<const Position> positions, int n, Span<const std::uint32_t> id, Span<const Position> start, std::optional<int> owned
 )
 {
-    chooseSize(n);
+    chooseSize(n, owned.value_or(n) < n);
     start_.setZero();
     wide_.setZero();
     Buffer<WordsOfPoint> words(n);
     std::uint32_t* const first = reinterpret_cast<std::uint32_t*>(words.span().data);
     const auto part = [&](std::size_t k) { return Span<std::uint32_t>{first + k * n, n}; };
     const Span<std::uint32_t> keys = part(0), places = part(1), points = part(2);
-    forEach(n, CountInCells{view(), positions, start, keys, places, start_.span(), wide_.span()});
+    forEach(n, CountInCells{view(), owned.value_or(n), positions, start, keys, places, start_.span(), wide_.span()});
     sumBefore(start_);
     forEach(n, PutInCells{keys, places, start_.span(), points});
     Buffer<std::uint32_t> order(n);

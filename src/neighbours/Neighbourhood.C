@@ -1,5 +1,7 @@
 #include "neighbours/Neighbourhood.H"
 
+#include "neighbours/PartsOfLiquid.H"
+
 #include <algorithm>
 
 namespace shizuku
@@ -37,7 +39,10 @@ void Neighbourhood::search(Liquid& liquid, scalar wideSupport)
         wideSupport_ = wideSupport;
     }
     list_.forget();
-    liquid.fields().reorder(grid_.build(liquid.predicted.span(), liquid.all(), liquid.id.span()));
+    if (cut_) bringToParts(liquid, grid_.view(), *cut_, grid_.cellsWithin(std::max(liquid.support(), wideSupport)));
+    const Buffer<std::uint32_t> order = grid_.build(liquid.predicted.span(), liquid.all(), liquid.id.span(), {}, liquid.owned());
+    liquid.fields().reorder(order);
+    if (cut_) liquid.ghosts().reorder(order);
     const Span<const Position> points = liquid.predicted.span();
     list_.search(points, liquid.owned(), grid_, points, true);
 }

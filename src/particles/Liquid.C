@@ -46,7 +46,10 @@ Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)
     })),
     predicted(fields().add<Position>({.name = "predicted", .dimensions = dimensions::length, .exchanged = true})),
     density(fields().add<scalar>({.name = "densityRatio", .dimensions = dimensions::none, .written = true})),
-    id(fields().add<std::uint32_t>({.name = "id", .dimensions = dimensions::none, .written = true, .restarted = true})),
+    id(fields().add<std::uint32_t>
+    ({
+        .name = "id", .dimensions = dimensions::none, .written = true, .restarted = true, .exchanged = true
+    })),
     properties_(properties),
     units_(Units::near(properties.spacing, properties.characteristicTime(), properties.particleMass())),
     spacing_(units_.toScaled(properties.spacing, dimensions::length)),

@@ -150,7 +150,7 @@ int relaxOverlap(Liquid& liquid, Neighbourhood& near, Walls& walls, const StartL
         predictPositions(liquid, 0);
         near.update(liquid);
         walls.update(liquid);
-        iterate(liquid, near, walls, *pressure, 1, [] {});
+        iterate(liquid, near, walls, *pressure, 1, [] { return false; });
         takePredicted(liquid);
         if (pressure->iterations() <= 1 && !measureCrowding(liquid).overlaps(limits)) return round;
     }

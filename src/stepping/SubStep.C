@@ -26,12 +26,12 @@ template<class Predict, class Move>
 void lengthen(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& models, const Predict& predict, const Move& move)
 {
     const bool listsCutOff = near.cutOff(), wallsCutOff = walls.cutOff(), surfaceCutOff = models.freeSurface->cutOff();
-    if (!listsCutOff && !wallsCutOff && !surfaceCutOff) return;
+    if (!liquid.parts().any(listsCutOff || wallsCutOff || surfaceCutOff)) return;
     predict();
     near.lengthen(liquid);
     walls.lengthen(liquid);
     move();
-    while (models.freeSurface->cutOff())        // longer lists show more of the surface
+    while (liquid.parts().any(models.freeSurface->cutOff()))        // longer lists show more of the surface
     {
         predict();
         move();
@@ -72,7 +72,7 @@ void SubStep::operator()(scalar dt)
     );
     liquid_.velocity = {};                                  // is computed anew: its memory serves the pressure
     walls_.project(liquid_);
-    iterate(liquid_, near_, walls_, *models_.pressure, dt, [&] { models_.forces.applyInIteration(liquid_, near_, walls_, dt); });
+    iterate(liquid_, near_, walls_, *models_.pressure, dt, [&] { return models_.forces.applyInIteration(liquid_, near_, walls_, dt); });
 
     updateVelocities(liquid_, dt);
     models_.pressure->correctVelocities(liquid_, near_, walls_);
@@ -98,7 +98,7 @@ void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, s
         findSurface();
         lengthen(liquid, near, walls, models, predict, findSurface);
         walls.project(liquid);
-        iterate(liquid, near, walls, *models.pressure, dt, [] {});
+        iterate(liquid, near, walls, *models.pressure, dt, [] { return false; });
         takePredicted(liquid);
         models.pressure->forget();
     }

@@ -20,9 +20,10 @@ void InterParticleForces::applyBeforeIterations(Liquid& liquid, const Neighbourh
     if (!everyIteration_) apply(liquid, near, walls, dt);
 }
 
-void InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
+bool InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
 {
     if (everyIteration_) apply(liquid, near, walls, dt);
+    return everyIteration_ && active();
 }
 
 InternalDisplacement InterParticleForces::takeDisplacement(scalar dt)

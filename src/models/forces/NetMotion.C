@@ -14,11 +14,16 @@ HOST_DEVICE void NetMotion::Sums::add(const Sums& other)
         xx[c] += other.xx[c];
         xy[c] += other.xy[c];
     }
+    particles += other.particles;
     atWall += other.atWall;
 }
 
 namespace
 {
+
+constexpr int armBits = 19, wayBits = 40;               // of quanta
+
+HOST_DEVICE inline std::int64_t arm(std::int64_t place) { return place >> (quanta::fractionBits - armBits); }
 
 struct SumsOfParticle
 {
@@ -31,41 +36,80 @@ struct SumsOfParticle
     HOST_DEVICE NetMotion::Sums operator()(int i) const
     {
         const Position p = position[i];
-        const Place at = placeOf(p), origin = placeOf(position[0]);
+        const Place at = placeOf(p);
         const Vec3 q = pressure.size > 0 ? ofPressure * pressure[i] : Vec3{}, r = forces.size > 0 ? ofForces * forces[i] : Vec3{};
-        const double x = quanta::lengthOf(at.x - origin.x), y = quanta::lengthOf(at.y - origin.y), z = quanta::lengthOf(at.z - origin.z);
-        const double u = double(q.x) + r.x, v = double(q.y) + r.y, w = double(q.z) + r.z;
+        const std::int64_t x = arm(at.x), y = arm(at.y), z = arm(at.z);
+        const std::int64_t f = wholeQuanta(r.x, wayBits), g = wholeQuanta(r.y, wayBits), h = wholeQuanta(r.z, wayBits);
+        const std::int64_t u = wholeQuanta(q.x, wayBits) + f, v = wholeQuanta(q.y, wayBits) + g, w = wholeQuanta(q.z, wayBits) + h;
+        const auto product = [](std::int64_t a, std::int64_t b) { return Int128(a) * b; };
         return
         {
-            {u, v, w}, {r.x, r.y, r.z}, {x, y, z}, {y * w - z * v, z * u - x * w, x * v - y * u}, {x * x, y * y, z * z},
-            {x * y, y * z, z * x}, walls.isNear(i, p, reach, {}) ? 1.0 : 0.0
+            {u, v, w}, {f, g, h}, {x, y, z},
+            {product(y, w) - product(z, v), product(z, u) - product(x, w), product(x, v) - product(y, u)},
+            {product(x, x), product(y, y), product(z, z)}, {product(x, y), product(y, z), product(z, x)}, 1, walls.isNear(i, p, reach, {}) ? 1 : 0
         };
     }
 };
 
-// What is to be taken back: of the sums of n particles.
+// What is to be taken back.
 struct FindMotion
 {
     Span<const NetMotion::Sums> sums;
-    double n;
-    Span<const Position> position;
     HeldDirections walls, pulling;                      // pulling: those that bear other forces than pressure
     Span<NetMotion::Motion> motion;
 
     HOST_DEVICE void operator()(int) const
     {
         const NetMotion::Sums& all = sums[0];
+        const double n = double(all.particles);
         const bool atWall = all.atWall > 0;
         const HeldDirections held = atWall ? walls : HeldDirections{}, pulled = atWall ? pulling : HeldDirections{};
-        const Vec3 forces = mean(all.forces), borne = forces - held.freePart(forces);
-        motion[0] = {held.freePart(mean(all.d)) + pulled.freePart(borne), turn(all, held), mean(all.x), placeOf(position[0])};
+        const Vec3 forces = mean(all.forces, n), borne = forces - held.freePart(forces);
+        const AboutCentroid about(all);
+        const Place origin{about.origin(0), about.origin(1), about.origin(2)};
+        motion[0] = {held.freePart(mean(all.d, n)) + pulled.freePart(borne), turn(about, n, held), about.rest(n), origin};
     }
 
 private:
-    HOST_DEVICE Vec3 mean(const double* of) const { return {scalar(of[0] / n), scalar(of[1] / n), scalar(of[2] / n)}; }
+    // The sums about a place next to the centroid: exact, as they are, so that what is small is not lost in what is large.
+    struct AboutCentroid
+    {
+        std::int64_t c[3];
+        double d[3], x[3], turn[3], xx[3], xy[3];       // scaled
+
+        HOST_DEVICE explicit AboutCentroid(const NetMotion::Sums& all)
+        {
+            const Int128 n = all.particles;
+            Int128 rest[3];
+            for (int k = 0; k < 3; ++k)
+            {
+                c[k] = std::int64_t(rint(double(all.x[k]) / double(all.particles)));
+                rest[k] = all.x[k] - n * c[k];
+            }
+            for (int k = 0; k < 3; ++k)
+            {
+                const int l = (k + 1) % 3, m = (k + 2) % 3;
+                d[k] = way * double(all.d[k]);
+                x[k] = length * double(rest[k]);
+                turn[k] = length * way * double(all.turn[k] - (c[l] * all.d[m] - c[m] * all.d[l]));
+                xx[k] = length * length * double(all.xx[k] - 2 * c[k] * all.x[k] + n * c[k] * c[k]);
+                xy[k] = length * length * double(all.xy[k] - c[k] * all.x[l] - c[l] * all.x[k] + n * c[k] * c[l]);
+            }
+        }
+
+        HOST_DEVICE std::int64_t origin(int k) const { return c[k] << (quanta::fractionBits - armBits); }
+        HOST_DEVICE Vec3 rest(double n) const { return vec(x[0] / n, x[1] / n, x[2] / n); }
+    };
+
+    static constexpr double length = 1.0 / (std::int64_t(1) << armBits), way = 1.0 / double(std::int64_t(1) << wayBits);
+
+    HOST_DEVICE static Vec3 mean(const Int128* of, double n)
+    {
+        return vec(way * double(of[0]) / n, way * double(of[1]) / n, way * double(of[2]) / n);
+    }
 
     // The turn whose angular momentum is that of the sums, about their centroid. None where the liquid is as thin as a line.
-    HOST_DEVICE Vec3 turn(const NetMotion::Sums& all, const HeldDirections& held) const
+    HOST_DEVICE static Vec3 turn(const AboutCentroid& all, double n, const HeldDirections& held)
     {
         const double *x = all.x, *d = all.d;
         const Vec3 momentum = held.freeTurn(vec
@@ -122,20 +166,20 @@ void NetMotion::takeBack
     scalar reach, scalar dt
 )
 {
-    const int n = liquid.owned();
-    if (n == 0 || walls.held().all() || pressure.by.size() + forces.by.size() == 0) return;
+    if (walls.held().all() || pressure.by.size() + forces.by.size() == 0) return;
     reduce
     (
-        n,
+        liquid.owned(),
         SumsOfParticle
         {
             liquid.position.span(), pressure.by.span(), forces.by.span(), pressure.scale, forces.scale, walls.view(liquid), reach
         },
         scratch_, sums_
     );
+    if (liquid.parts().parts() > 1) sums_.upload({liquid.parts().fold(sums_.download()[0])});
     motion_.resizeDiscarding(1);
-    forEach(1, FindMotion{sums_.span(), double(n), liquid.position.span(), walls.held(), walls.pulling(), motion_.span()});
-    forEach(n, MoveBack{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});
+    forEach(1, FindMotion{sums_.span(), walls.held(), walls.pulling(), motion_.span()});
+    forEach(liquid.owned(), MoveBack{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});
 }
 
 }

@@ -159,11 +159,17 @@ struct WarmStart
     }
 };
 
+struct RateSum
+{
+    double value = 0;
+    HOST_DEVICE void add(const RateSum& other) { value += other.value; }
+};
+
 struct RateOf
 {
     Span<const scalar> rate;
 
-    HOST_DEVICE AverageCompression::Sum operator()(int i) const { return {rate[i]}; }
+    HOST_DEVICE RateSum operator()(int i) const { return {rate[i]}; }
 };
 
 class DFSPH : public Pressure
@@ -290,7 +296,7 @@ private:
     Buffer<scalar>& velocityPotential_;  // dt kappav/rho
     Buffer<scalar> start_, factor_, increase_, rate_;
     AverageCompression compression_;
-    Buffer<AverageCompression::Sum> scratch_;
+    Buffer<RateSum> scratch_;
 };
 
 const PressureTable::Add<DFSPH> registered{"DFSPH"};

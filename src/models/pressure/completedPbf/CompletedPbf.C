@@ -184,7 +184,7 @@ public:
 
     bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        if (steady_.enough(iterations_) || liquid.owned() == 0) return false;
+        if (steady_.enough(iterations_) || liquid.isEmpty()) return false;
         if (!extended_)
         {
             extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
@@ -207,6 +207,8 @@ public:
             else raisePressure(liquid, near, walls, stress(liquid), NoTangentialGradient{});
         }
         else raisePressure(liquid, near, walls, NoOrderStress{}, NoTangentialGradient{});
+        liquid.ghosts().copy(liquid.predicted);
+        if (iterations_ == 0) liquid.ghosts().copy(stress_);
         return steady_.another(liquid, limits_, iterations_);
     }
 
@@ -243,6 +245,7 @@ public:
 
     void complete() override { steady_.complete(); }
 
+    bool seesGhosts() const override { return !coarse_; }
     int iterations() const override { return iterations_; }
     const Buffer<scalar>* keepPressure() override { return &pressure_; }
 

@@ -17,6 +17,7 @@ public:
     bool violated(Liquid&, const Neighbourhood&, const Walls&) override { return false; }
     void correct(Liquid&, const Neighbourhood&, const Walls&) override {}
     int iterations() const override { return 0; }
+    bool seesGhosts() const override { return true; }
 };
 
 const PressureTable::Add<NoPressure> registered{"none"};

@@ -102,7 +102,7 @@ public:
         selfGradient_(dict.lookupOr("selfGradient", true)),
         unilateral_(dict.lookupOr("unilateral", true)),
         fields_(liquid.fields()),
-        multiplier_(liquid.fields().require<scalar>({.name = "multiplier", .dimensions = dimensions::none, .sorted = false, .exchanged = true}))
+        multiplier_(liquid.fields().require<scalar>({.name = "multiplier", .dimensions = dimensions::none, .sorted = false}))
     {}
 
     void begin(scalar dt) override
@@ -113,7 +113,7 @@ public:
 
     bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
+        if (iterations_ >= controls_.maxIterations || liquid.isEmpty()) return false;
         if (pressure_ && iterations_ == 0) pressure_->setZero();
         std::visit
         (
@@ -128,6 +128,7 @@ public:
             },
             liquid.kernel()
         );
+        liquid.ghosts().copy(multiplier_);
         return compression_.wantsAnother(liquid, controls_, iterations_);
     }
 
@@ -155,6 +156,7 @@ public:
         }
     }
 
+    bool seesGhosts() const override { return true; }
     int iterations() const override { return iterations_; }
     double mostCrowded() const override { return 1; }           // from 0.95 spacings drops come to rest
 

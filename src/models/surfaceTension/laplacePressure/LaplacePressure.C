@@ -149,6 +149,8 @@ public:
         surface.agreed().closest = halfOfLayers;
     }
 
+    bool seesGhosts() const override { return true; }
+
 private:
     void add
     (
@@ -172,6 +174,7 @@ private:
             },
             liquid.kernel()
         );
+        liquid.ghosts().copy(surface_.particles(), open);
         forEachTeam(surface_.particles(), Press
         {
             surface_.kernel(), sigma_, liquid.restDensity(), followed(), near.view(), view, field.normal.span(), field.curvature.span(),

@@ -101,7 +101,7 @@ PairTension::PairTension(const Dictionary& coeffs, Liquid& liquid, WallNormals w
     wallNormals_(wallNormals),
     normal_(liquid.fields().require<Vec3>
     ({
-        .name = "normal", .dimensions = dimensions::none, .sorted = false, .written = false, .exchanged = true
+        .name = "normal", .dimensions = dimensions::none, .sorted = false
     })),
     density_(requirePredictedDensity(liquid))
 {}
@@ -109,6 +109,7 @@ PairTension::PairTension(const Dictionary& coeffs, Liquid& liquid, WallNormals w
 void PairTension::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration)
 {
     computePredictedDensity(liquid, near, walls, density_);
+    liquid.ghosts().copy(density_);
     std::visit
     (
         [&]<class Kernel>(const Kernel& W)
@@ -121,6 +122,7 @@ void PairTension::apply(Liquid& liquid, const Neighbourhood& near, const Walls& 
         },
         liquid.kernel()
     );
+    liquid.ghosts().copy(normal_);
     forEach(liquid.owned(), PairForce
     {
         {liquid.support()}, coefficients_.cohesion * liquid.particleMass(), coefficients_.area,

@@ -180,11 +180,13 @@ CurvatureField RegressedCurvature::operator()(const Liquid& liquid, const Neighb
     CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
     const FreeSurfaceView view = surface_.view();
     forEach(surface_.particles(), OutwardNormal{surface_.plane(), surface_.steepest(), view, walls.view(liquid), field.normal.span()});
+    liquid.ghosts().copy(surface_.particles(), field.normal);
     forEachGroup(surface_.particles(), Regress
     {
         W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), near.wide(liquid, surface_.particles(), surface_.position()),
         surface_.particles().indices.span(), extended_->view(), walls.view(liquid), field.curvature.span()
     });
+    liquid.ghosts().copy(surface_.particles(), field.curvature);
     return field;
 }
 

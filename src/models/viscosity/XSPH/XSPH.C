@@ -72,8 +72,12 @@ public:
         }
     }
 
+    bool seesGhosts() const override { return true; }
+
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
+        liquid.ghosts().copy(liquid.position);
+        liquid.ghosts().copy(liquid.velocity);
         Buffer<Vec3> smoothed(liquid.all());
         std::visit
         (

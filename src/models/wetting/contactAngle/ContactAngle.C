@@ -103,6 +103,9 @@ public:
 
     bool active() const override { return true; }
 
+    // Normals of solid particles are sums over liquid that is farther away than ghosts are.
+    bool seesGhosts() const override { return solidNormal_ != "SPH"; }
+
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
         if (walls.particles() + walls.surfaces() == 0) return;

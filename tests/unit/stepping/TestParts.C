@@ -1,0 +1,205 @@
+// A liquid that is cut into parts moves to the same bits as the whole, step by step: particles go from part to part, ghosts have what their owners computed, and
+// sums of all parts do not depend on the cut.
+
+#include "parallel/PartsOfProcess.H"
+#include "stepping/SubStep.H"
+#include "support/LiquidCase.H"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <mutex>
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+using State = std::map<std::uint32_t, std::array<std::int64_t, 6>>;         // by particle: place and velocity
+
+struct Scene
+{
+    std::string set, moreModels;
+    bool sampled, acrossZ;
+    int steps;
+};
+
+CaseText textOf(const Scene& scene)
+{
+    CaseText text;
+    if (!scene.sampled)
+    {
+        text.walls = floorPlane;
+        text.wettability = "floor { theta 60; }";
+        return text;
+    }
+    text.walls = sampledFloor;
+    text.solidPositions = latticeBlock(31, 31, 1, 0.8f, {-12, -12, -0.5f});
+    text.solidTheta.assign(text.solidPositions.size(), 60);
+    return text;
+}
+
+// A drop that falls onto a floor and slides along it, so that particles go from part to part.
+class Drop : public LiquidCase
+{
+public:
+    explicit Drop(const Scene& scene) : LiquidCase(textOf(scene))
+    {
+        const auto set = std::filesystem::path(std::getenv("SHIZUKU_DIR")) / "tests/validation/models" / scene.set;
+        std::ifstream file(set / "models");
+        folder.write("constant/models", std::string{std::istreambuf_iterator<char>(file), {}} + "bodyForce gravity;" + scene.moreModels);
+        models = std::make_unique<Models>(folder.path(), Dictionary::read(set / "solution"), liquid, walls);
+        models->takeEffect(liquid, walls);
+        auto points = latticeBall(6.2f, {0, 0, 6.4f});
+        RandomNumbers random(3);
+        disorder(points, 0.02f, random);
+        place(points, std::vector<Vec3>(points.size(), Vec3{0.1f, 0.3f, -0.3f}));
+    }
+
+    scalar dt() const
+    {
+        return liquid.units().toScaled(std::min(0.5 * liquid.properties().capillaryStep(), models->pressure->stepLimit()), dimensions::time);
+    }
+
+    std::vector<int> rows(bool acrossZ) const
+    {
+        const CellGridView grid = near.grid().view();
+        std::vector<int> result;
+        for (const Position p : liquid.position.download())
+        {
+            const CellPlace cell = grid.cellPlace(p);
+            result.push_back(acrossZ ? cell.z : cell.y);
+        }
+        return result;
+    }
+
+    // The owned particles.
+    State state() const
+    {
+        const auto x = liquid.position.download();
+        const auto u = liquid.velocity.download();
+        const auto id = liquid.id.download();
+        State result;
+        for (int i = 0; i < liquid.owned(); ++i)
+        {
+            const Place at = placeOf(x[i]);
+            result[id[i]] = {at.x, at.y, at.z, wordOf(u[i].x), wordOf(u[i].y), wordOf(u[i].z)};
+        }
+        return result;
+    }
+
+    // The state before the first step and after each. The next step is begun before one is looked at, as the solver does.
+    std::vector<State> run(int steps)
+    {
+        SubStep subStep(liquid, near, walls, *models);
+        settle(liquid, near, walls, *models, dt());
+        std::vector<State> states{state()};
+        for (int k = 0; k < steps; ++k)
+        {
+            subStep(dt());
+            subStep.begin(dt());
+            states.push_back(state());
+        }
+        return states;
+    }
+
+    std::unique_ptr<Models> models;
+};
+
+struct Cut
+{
+    std::vector<State> states;
+    int mostMoved = 0;                  // particles that came to a part, or left it, in a step
+    int withLiquid = 0;                 // parts, in the end
+};
+
+Cut runCut(const Scene& scene, const RowCut& cut)
+{
+    Cut result;
+    result.states.resize(scene.steps + 1);
+    std::mutex mutex;
+    runParts(cut.parts, [&](const Communicator& parts)
+    {
+        Drop drop(scene);
+        if (parts.part() > 0) drop.liquid.resize(0);            // the first search brings them what is theirs
+        drop.liquid.ghosts().join(parts);
+        drop.near.cut(cut);
+        drop.models->refuseParts();
+        const std::vector<State> own = drop.run(scene.steps);
+        const std::lock_guard lock(mutex);
+        for (std::size_t k = 0; k < own.size(); ++k)
+        {
+            int moved = 0;
+            for (const auto& [id, bits] : own[k])
+            {
+                EXPECT_TRUE(result.states[k].emplace(id, bits).second) << "particle " << id << " is owned twice";
+                if (k > 0) moved += !own[k - 1].contains(id);
+            }
+            result.mostMoved = std::max(result.mostMoved, moved);
+        }
+        result.withLiquid += !own.back().empty();
+    });
+    return result;
+}
+
+void expectSameBits(const Scene& scene, std::initializer_list<int> counts)
+{
+    Drop whole(scene);
+    const std::vector<int> rows = whole.rows(scene.acrossZ);
+    const std::vector<State> states = whole.run(scene.steps);
+    for (const int parts : counts)
+    {
+        SCOPED_TRACE(scene.set + ", parts " + std::to_string(parts));
+        const Cut cut = runCut(scene, cutEvenly(rows, parts, scene.acrossZ));
+        EXPECT_GT(cut.mostMoved, 0);
+        EXPECT_GE(cut.withLiquid, parts - 1);       // the last row may have lost its particles: a part without any is none that fails
+        for (std::size_t k = 0; k < states.size(); ++k)
+        {
+            ASSERT_EQ(cut.states[k].size(), states[k].size()) << "step " << k;
+            int differ = 0;
+            for (const auto& [id, bits] : states[k]) differ += cut.states[k].at(id) != bits;
+            ASSERT_EQ(differ, 0) << "step " << k;
+        }
+    }
+}
+
+}
+
+TEST(TestParts, DefaultHasTheBitsOfTheWhole)
+{
+    expectSameBits({"default", "", true, false, 12}, {2, 3, 5});
+    expectSameBits({"default", "", false, true, 12}, {2, 3});
+}
+
+TEST(TestParts, PbfHasTheBitsOfTheWhole)
+{
+    expectSameBits({"Fujisawa2014", "contactAngleCoeffs { solidNormal wall; }", true, false, 12}, {2, 3, 5});
+}
+
+TEST(TestParts, ModelsThatReadNeighboursWithoutGhostsAreRefused)
+{
+    Drop drop({"WCSPH", "", false, false, 1});
+    EXPECT_THROW(drop.models->refuseParts(), FatalInputError);
+}
+
+TEST(TestParts, OneThatFailsEndsAll)
+{
+    const auto run = [](const Communicator& parts)
+    {
+        if (parts.part() == 1) throw std::runtime_error("this one");
+        parts.any(true);
+    };
+    try
+    {
+        runParts(3, run);
+        FAIL();
+    }
+    catch (const std::runtime_error& error)
+    {
+        EXPECT_STREQ(error.what(), "this one");
+    }
+}
