@@ -21,9 +21,10 @@ HOST_DEVICE void NetMotion::Sums::add(const Sums& other)
 namespace
 {
 
-constexpr int armBits = 19, wayBits = 40;               // of quanta
+constexpr int armBits = 19, wayBits = 28;                // of quanta
 
 HOST_DEVICE inline std::int64_t arm(std::int64_t place) { return place >> (quanta::fractionBits - armBits); }
+HOST_DEVICE inline Int128 product(std::int64_t a, std::int64_t b) { return Int128(a) * b; }
 
 struct SumsOfParticle
 {
@@ -39,12 +40,11 @@ struct SumsOfParticle
         const Place at = placeOf(p);
         const Vec3 q = pressure.size > 0 ? ofPressure * pressure[i] : Vec3{}, r = forces.size > 0 ? ofForces * forces[i] : Vec3{};
         const std::int64_t x = arm(at.x), y = arm(at.y), z = arm(at.z);
-        const std::int64_t f = wholeQuanta(r.x, wayBits), g = wholeQuanta(r.y, wayBits), h = wholeQuanta(r.z, wayBits);
-        const std::int64_t u = wholeQuanta(q.x, wayBits) + f, v = wholeQuanta(q.y, wayBits) + g, w = wholeQuanta(q.z, wayBits) + h;
-        const auto product = [](std::int64_t a, std::int64_t b) { return Int128(a) * b; };
+        const std::int32_t f = wholeQuanta(r.x, wayBits), g = wholeQuanta(r.y, wayBits), h = wholeQuanta(r.z, wayBits);
+        const std::int32_t u = wholeQuanta(q.x + r.x, wayBits), v = wholeQuanta(q.y + r.y, wayBits), w = wholeQuanta(q.z + r.z, wayBits);
         return
         {
-            {u, v, w}, {f, g, h}, {x, y, z},
+            {u, v, w}, {f, g, h}, {Int128(x), Int128(y), Int128(z)},
             {product(y, w) - product(z, v), product(z, u) - product(x, w), product(x, v) - product(y, u)},
             {product(x, x), product(y, y), product(z, z)}, {product(x, y), product(y, z), product(z, x)}, 1, walls.isNear(i, p, reach, {}) ? 1 : 0
         };
@@ -83,17 +83,17 @@ private:
             Int128 rest[3];
             for (int k = 0; k < 3; ++k)
             {
-                c[k] = std::int64_t(rint(double(all.x[k]) / double(all.particles)));
-                rest[k] = all.x[k] - n * c[k];
+                c[k] = std::int64_t(rint(double(Int128(all.x[k])) / double(all.particles)));
+                rest[k] = Int128(all.x[k]) - n * c[k];
             }
             for (int k = 0; k < 3; ++k)
             {
                 const int l = (k + 1) % 3, m = (k + 2) % 3;
                 d[k] = way * double(all.d[k]);
                 x[k] = length * double(rest[k]);
-                turn[k] = length * way * double(all.turn[k] - (c[l] * all.d[m] - c[m] * all.d[l]));
-                xx[k] = length * length * double(all.xx[k] - 2 * c[k] * all.x[k] + n * c[k] * c[k]);
-                xy[k] = length * length * double(all.xy[k] - c[k] * all.x[l] - c[l] * all.x[k] + n * c[k] * c[l]);
+                turn[k] = length * way * double(Int128(all.turn[k]) - (Int128(c[l]) * all.d[m] - Int128(c[m]) * all.d[l]));
+                xx[k] = length * length * double(Int128(all.xx[k]) - Int128(2 * c[k]) * Int128(all.x[k]) + n * c[k] * c[k]);
+                xy[k] = length * length * double(Int128(all.xy[k]) - Int128(c[k]) * Int128(all.x[l]) - Int128(c[l]) * Int128(all.x[k]) + n * c[k] * c[l]);
             }
         }
 
@@ -103,7 +103,7 @@ private:
 
     static constexpr double length = 1.0 / (std::int64_t(1) << armBits), way = 1.0 / double(std::int64_t(1) << wayBits);
 
-    HOST_DEVICE static Vec3 mean(const Int128* of, double n)
+    HOST_DEVICE static Vec3 mean(const std::int64_t* of, double n)
     {
         return vec(way * double(of[0]) / n, way * double(of[1]) / n, way * double(of[2]) / n);
     }
