@@ -69,6 +69,7 @@ set(SHIZUKU_DEVICE_SOURCES
     models/viscosity/XSPH/XSPH.C
     models/viscosity/laminar/Laminar.C
     models/viscosity/newtonian/Newtonian.C
+    models/smoothing/SmoothingControls.C
     models/velocityFilter/VelocityFilter.C
     models/velocityFilter/none/none.C
     models/velocityFilter/affine/Affine.C
