@@ -24,7 +24,7 @@ set(SHIZUKU_DEVICE_SOURCES
     models/Models.C
     models/density/Density.C
     models/forces/InterParticleForces.C
-    models/forces/NetMotion.C
+    models/forces/RigidMotion.C
     models/pressure/Pressure.C
     models/pressure/none/none.C
     models/pressure/shared/IterationControls.C

@@ -20,7 +20,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C
     models/density/TestDensity.C
-    models/forces/TestNetMotion.C
+    models/forces/TestRigidMotion.C
     models/particleShifting/closePairs/TestClosePairs.C
     models/pressure/Clavet2005/TestClavet2005.C
     models/pressure/DFSPH/TestDFSPH.C

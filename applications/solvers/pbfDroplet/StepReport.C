@@ -20,7 +20,7 @@ namespace
 std::string flatteningWarning(const FlowView& flow)
 {
     const LiquidProperties& p = flow.properties();
-    const std::optional<Vec3> normal = flow.walls.held().only();
+    const std::optional<Vec3> normal = flow.walls.constraints().only();
     const auto g = flow.models.bodyForce->uniform();
     const double pressing = normal ? -(g[0]*normal->x + g[1]*normal->y + g[2]*normal->z) : 0;
     if (!(pressing > 0 && p.surfaceTension > 0)) return {};

@@ -1,9 +1,9 @@
-#include "models/forces/NetMotion.H"
+#include "models/forces/RigidMotion.H"
 
 namespace shizuku
 {
 
-HOST_DEVICE void NetMotion::Sums::add(const Sums& other)
+HOST_DEVICE void RigidMotion::Sums::add(const Sums& other)
 {
     for (int c = 0; c < 3; ++c)
     {
@@ -28,7 +28,7 @@ struct SumsOfParticle
     WallView walls;
     scalar reach;
 
-    HOST_DEVICE NetMotion::Sums operator()(int i) const
+    HOST_DEVICE RigidMotion::Sums operator()(int i) const
     {
         const Position p = position[i];
         const Place at = placeOf(p), origin = placeOf(position[0]);
@@ -43,32 +43,32 @@ struct SumsOfParticle
     }
 };
 
-// What is to be taken back: of the sums of n particles.
+// What is to be removed: of the sums of n particles.
 struct FindMotion
 {
-    Span<const NetMotion::Sums> sums;
+    Span<const RigidMotion::Sums> sums;
     double n;
     Span<const Position> position;
-    HeldDirections walls, pulling;                      // pulling: those that bear other forces than pressure
-    Span<NetMotion::Motion> motion;
+    WallConstraints walls, adhesive;                     // adhesive: those that bear other forces than pressure
+    Span<RigidMotion::Motion> motion;
 
     HOST_DEVICE void operator()(int) const
     {
-        const NetMotion::Sums& all = sums[0];
+        const RigidMotion::Sums& all = sums[0];
         const bool atWall = all.atWall > 0;
-        const HeldDirections held = atWall ? walls : HeldDirections{}, pulled = atWall ? pulling : HeldDirections{};
-        const Vec3 forces = mean(all.forces), borne = forces - held.freePart(forces);
-        motion[0] = {held.freePart(mean(all.d)) + pulled.freePart(borne), turn(all, held), mean(all.x), placeOf(position[0])};
+        const WallConstraints any = atWall ? walls : WallConstraints{}, bearing = atWall ? adhesive : WallConstraints{};
+        const Vec3 forces = mean(all.forces), borne = forces - any.freePart(forces);
+        motion[0] = {any.freePart(mean(all.d)) + bearing.freePart(borne), turn(all, any), mean(all.x), placeOf(position[0])};
     }
 
 private:
     HOST_DEVICE Vec3 mean(const double* of) const { return {scalar(of[0] / n), scalar(of[1] / n), scalar(of[2] / n)}; }
 
     // The turn whose angular momentum is that of the sums, about their centroid. None where the liquid is as thin as a line.
-    HOST_DEVICE Vec3 turn(const NetMotion::Sums& all, const HeldDirections& held) const
+    HOST_DEVICE Vec3 turn(const RigidMotion::Sums& all, const WallConstraints& constraints) const
     {
         const double *x = all.x, *d = all.d;
-        const Vec3 momentum = held.freeTurn(vec
+        const Vec3 momentum = constraints.freeRotation(vec
         (
             all.turn[0] - (x[1] * d[2] - x[2] * d[1]) / n,
             all.turn[1] - (x[2] * d[0] - x[0] * d[2]) / n,
@@ -83,15 +83,15 @@ private:
         const scalar determinant = dot(a, cross(b, c));
         if (!(determinant > 1e-6f)) return {};
         const Vec3 adjugate = vec(dot(momentum, cross(b, c)), dot(momentum, cross(c, a)), dot(momentum, cross(a, b)));
-        return held.freeTurn(1 / (scalar(trace) * determinant) * adjugate);
+        return constraints.freeRotation(1 / (scalar(trace) * determinant) * adjugate);
     }
 
     HOST_DEVICE static Vec3 vec(double a, double b, double c) { return {scalar(a), scalar(b), scalar(c)}; }
 };
 
-struct MoveBack
+struct RemoveMotion
 {
-    Span<const NetMotion::Motion> motion;
+    Span<const RigidMotion::Motion> motion;
     scalar perStep;
     Span<Position> position;
     Span<Vec3> velocity;
@@ -116,14 +116,14 @@ private:
 
 }
 
-void NetMotion::takeBack
+void RigidMotion::remove
 (
     Liquid& liquid, const InternalDisplacement& pressure, const InternalDisplacement& forces, const Walls& walls,
     scalar reach, scalar dt
 )
 {
     const int n = liquid.owned();
-    if (n == 0 || walls.held().all() || pressure.by.size() + forces.by.size() == 0) return;
+    if (n == 0 || walls.constraints().all() || pressure.by.size() + forces.by.size() == 0) return;
     reduce
     (
         n,
@@ -134,8 +134,8 @@ void NetMotion::takeBack
         scratch_, sums_
     );
     motion_.resizeDiscarding(1);
-    forEach(1, FindMotion{sums_.span(), double(n), liquid.position.span(), walls.held(), walls.pulling(), motion_.span()});
-    forEach(n, MoveBack{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});
+    forEach(1, FindMotion{sums_.span(), double(n), liquid.position.span(), walls.constraints(), walls.adhesiveConstraints(), motion_.span()});
+    forEach(n, RemoveMotion{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});
 }
 
 }
