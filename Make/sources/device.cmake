@@ -80,10 +80,12 @@ set(SHIZUKU_DEVICE_SOURCES
     surface/BlockMap.C
     surface/LiquidSurface.C
     surface/CaseSurface.C
+    stepping/CaseSetup.C
     stepping/DryRun.C
     stepping/StartCheck.C
     stepping/StepControl.C
     stepping/SubStep.C
+    stepping/TimeStep.C
     functionObjects/FlowView.C
     functionObjects/FunctionControl.C
     functionObjects/FunctionObjects.C

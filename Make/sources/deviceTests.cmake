@@ -58,9 +58,11 @@ set(SHIZUKU_DEVICE_TESTS
     particles/TestFieldRegistry.C
     particles/TestParticleFiles.C
     particles/TestUnits.C
+    stepping/TestCaseSetup.C
     stepping/TestRestart.C
     stepping/TestStartCheck.C
     stepping/TestSubStep.C
+    stepping/TestTimeStep.C
     surface/TestLiquidSurface.C
     surface/TestMarchingCubesTable.C
     surface/TestPencil.C
