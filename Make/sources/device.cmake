@@ -28,7 +28,7 @@ set(SHIZUKU_DEVICE_SOURCES
     models/Models.C
     models/density/Density.C
     models/forces/InterParticleForces.C
-    models/forces/NetMotion.C
+    models/forces/RigidMotion.C
     models/pressure/Pressure.C
     models/pressure/none/none.C
     models/pressure/shared/IterationControls.C
@@ -73,6 +73,7 @@ set(SHIZUKU_DEVICE_SOURCES
     models/viscosity/XSPH/XSPH.C
     models/viscosity/laminar/Laminar.C
     models/viscosity/newtonian/Newtonian.C
+    models/smoothing/SmoothingControls.C
     models/velocityFilter/VelocityFilter.C
     models/velocityFilter/none/none.C
     models/velocityFilter/affine/Affine.C
@@ -83,10 +84,12 @@ set(SHIZUKU_DEVICE_SOURCES
     surface/BlockMap.C
     surface/LiquidSurface.C
     surface/CaseSurface.C
+    stepping/CaseSetup.C
     stepping/DryRun.C
     stepping/StartCheck.C
     stepping/StepControl.C
     stepping/SubStep.C
+    stepping/TimeStep.C
     functionObjects/FlowView.C
     functionObjects/FunctionControl.C
     functionObjects/FunctionObjects.C

@@ -20,7 +20,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C
     models/density/TestDensity.C
-    models/forces/TestNetMotion.C
+    models/forces/TestRigidMotion.C
     models/particleShifting/closePairs/TestClosePairs.C
     models/pressure/Clavet2005/TestClavet2005.C
     models/pressure/DFSPH/TestDFSPH.C
@@ -58,10 +58,12 @@ set(SHIZUKU_DEVICE_TESTS
     particles/TestFieldRegistry.C
     particles/TestParticleFiles.C
     particles/TestUnits.C
+    stepping/TestCaseSetup.C
     stepping/TestParts.C
     stepping/TestRestart.C
     stepping/TestStartCheck.C
     stepping/TestSubStep.C
+    stepping/TestTimeStep.C
     surface/TestLiquidSurface.C
     surface/TestMarchingCubesTable.C
     surface/TestPencil.C

@@ -46,7 +46,7 @@ public:
     }
 
     void begin(scalar) override { made_ = 0; }
-    bool violated(Liquid&, const Neighbourhood&, const Walls&) override { return made_ < iterations_; }
+    bool converged(Liquid&, const Neighbourhood&, const Walls&) override { return made_ >= iterations_; }
 
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls&) override
     {

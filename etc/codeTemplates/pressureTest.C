@@ -22,7 +22,7 @@ TEST(@class@, SeparatesAPairByASpacing)
     drop.place({{0, 0, 0}, {0.6f, 0, 0}, {5, 0, 0}});
     const auto model = makeModel(drop, "2");
     model->begin(1);
-    while (model->violated(drop.liquid, drop.near, drop.walls)) model->correct(drop.liquid, drop.near, drop.walls);
+    while (!model->converged(drop.liquid, drop.near, drop.walls)) model->correct(drop.liquid, drop.near, drop.walls);
     EXPECT_EQ(model->iterations(), 2);
 
     const auto moved = drop.inOrder(drop.liquid.predicted);

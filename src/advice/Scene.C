@@ -1,6 +1,6 @@
 #include "advice/Scene.H"
 
-#include "models/viscosity/XSPH/SmoothingShare.H"
+#include "models/smoothing/SmoothingShare.H"
 #include "reference/CapillaryStep.H"
 
 #include <algorithm>

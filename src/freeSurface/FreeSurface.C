@@ -103,7 +103,7 @@ struct Reconstruct
         Vec3 G = gradient[k];
         scalar colour = G.w;
         const ContactLine line = findContactLine(i, xi, colour, G, team);
-        const WallCompletion& completion = findContactLine.completion;
+        const WallContribution& completion = findContactLine.completion;
         const auto wall = completion(i, xi, line, team);
         if (!team.first()) return;
         colour += wall.value;

@@ -76,7 +76,7 @@ void SubStep::operator()(scalar dt)
 
     updateVelocities(liquid_, dt);
     models_.pressure->correctVelocities(liquid_, near_, walls_);
-    models_.netMotion.takeBack
+    models_.rigidMotion.remove
     (
         liquid_, models_.pressure->takeDisplacement(), models_.forces.takeDisplacement(dt), walls_,
         models_.freeSurface->support(), dt

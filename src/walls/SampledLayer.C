@@ -82,9 +82,9 @@ void SampledLayer::computeVirtualVolumes(const Liquid& liquid)
     );
 }
 
-void SampledLayer::hold(HeldDirections& held) const
+void SampledLayer::constrain(WallConstraints& constraints) const
 {
-    for (const Vec3& n : normal_.download()) held.hold(n);
+    for (const Vec3& n : normal_.download()) constraints.constrain(n);
 }
 
 void SampledLayer::usePlanes(const Liquid& liquid, scalar reach)

@@ -81,8 +81,8 @@ Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liqu
         {
             surfaces_.surface[surfaces_.count++] = face;
             surfaceNames_.push_back(surface.name);
-            if (face.isFlat()) held_.hold({scalar(face.direction.x), scalar(face.direction.y), scalar(face.direction.z)});
-            else held_.holdAll();
+            if (face.isFlat()) constraints_.constrain({scalar(face.direction.x), scalar(face.direction.y), scalar(face.direction.z)});
+            else constraints_.constrainAll();
         }
     }
     if (surfaces_.count > 0)
@@ -93,7 +93,7 @@ Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liqu
     if (useSolidParticles(casePath))
     {
         layer_.emplace(casePath, dict_.where(), liquid);
-        layer_->hold(held_);
+        layer_->constrain(constraints_);
     }
     dict_.refuseUnused();
 }

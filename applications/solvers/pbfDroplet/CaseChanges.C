@@ -1,7 +1,6 @@
 #include "CaseChanges.H"
 
 #include "core/dictionary/Differences.H"
-#include "stepping/StartCheck.H"
 #include "thetaModels/ThetaField.H"
 
 #include <algorithm>
@@ -60,7 +59,7 @@ Dictionary CaseChanges::readOrEmpty(const std::filesystem::path& file)
     return std::filesystem::exists(file) ? Dictionary::read(file) : Dictionary();
 }
 
-bool CaseChanges::apply(const Time& time, Liquid& liquid, Walls& walls, Models& models)
+bool CaseChanges::apply(const Time& time, CaseSetup& setup)
 {
     if (!time.modifiable()) return false;
     std::string names;
@@ -79,7 +78,7 @@ bool CaseChanges::apply(const Time& time, Liquid& liquid, Walls& walls, Models& 
     if (names.empty()) return false;
     try
     {
-        make(time, liquid, walls, models);
+        make(time, setup);
         anew_ = {};
         return true;
     }
@@ -93,8 +92,11 @@ bool CaseChanges::apply(const Time& time, Liquid& liquid, Walls& walls, Models& 
     }
 }
 
-void CaseChanges::make(const Time& time, Liquid& liquid, Walls& walls, Models& models)
+void CaseChanges::make(const Time& time, CaseSetup& setup)
 {
+    Liquid& liquid = *setup.liquid;
+    Walls& walls = *setup.walls;
+    Models& models = *setup.models;
     std::vector<Dictionary> now;
     for (const Watched& dictionary : dictionaries_) now.push_back(readOrEmpty(dictionary.file.path()));
     refuseFixed(dictionaries_[0].former, now[0]);

@@ -36,6 +36,7 @@ double averageNeighbours(const Liquid& liquid, const Neighbourhood& near)
 
 void ProfileReport::count(int subSteps)
 {
+    if (!wanted_) return;
     if (passed_ >= warmUp)
     {
         counted_ += subSteps;
@@ -49,6 +50,7 @@ void ProfileReport::count(int subSteps)
 
 void ProfileReport::report(const Liquid& liquid, const Neighbourhood& near) const
 {
+    if (!wanted_) return;
     if (counted_ == 0)
     {
         std::cout << "\nNo profile: it begins after " << warmUp << " sub-steps" << std::endl;

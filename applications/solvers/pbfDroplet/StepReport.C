@@ -3,7 +3,6 @@
 #include "caseFiles/SampledWall.H"
 #include "core/arguments/runApplication.H"
 #include "drops/SeparateBodies.H"
-#include "stepping/StartCheck.H"
 #include "thetaModels/ThetaField.H"
 
 #include <cmath>
@@ -20,13 +19,11 @@ namespace
 std::string flatteningWarning(const FlowView& flow)
 {
     const LiquidProperties& p = flow.properties();
-    const std::optional<Vec3> normal = flow.walls.held().only();
+    const std::optional<Vec3> normal = flow.walls.constraints().only();
     const auto g = flow.models.bodyForce->uniform();
     const double pressing = normal ? -(g[0]*normal->x + g[1]*normal->y + g[2]*normal->z) : 0;
     if (!(pressing > 0 && p.surfaceTension > 0)) return {};
     return puddleWarning(std::sqrt(p.surfaceTension/(p.density*pressing)), flow.walls.contactAngles().second, p.spacing);
-}
-
 }
 
 void warnOfResolution(FlowView& flow)
@@ -44,12 +41,21 @@ void warnOfResolution(FlowView& flow)
 
 void warnOfOtherSolid(const Time& time, const Walls& walls)
 {
-    if (walls.particles() == 0) return;
     if (const std::string text = otherSurfaces(time.casePath()); !text.empty()) warning(text);
     const auto file = time.casePath() / "constant/wettability";
     if (!walls.angles() || !std::filesystem::exists(file)) return;
     const std::string text = otherTheta(time.casePath(), findInstance(time.casePath(), time.value(), "solid/theta"));
     if (!text.empty()) warning(text);
+}
+
+}
+
+void reportStart(FlowView& flow)
+{
+    if (flow.time.index() == 0) warnOfResolution(flow);
+    if (flow.walls.particles() > 0) warnOfOtherSolid(flow.time, flow.walls);
+    std::cout << "Liquid particles " << flow.particles() << ", solid particles " << flow.walls.particles()
+              << ", analytic surfaces " << flow.walls.surfaces() << std::endl;
 }
 
 void reportRelaxation(int rounds)
@@ -79,7 +85,7 @@ void stopWhereAsked(Time& time, const FunctionObjects& functions)
     time.stop();
 }
 
-void reportCosts(const Liquid& liquid, const BackgroundWriter& writer)
+void reportCosts(const Liquid& liquid, const CaseWriter& writer)
 {
     const std::size_t bytes = deviceCounters().peakBytes;
     std::cout << "\nMemory on the device: " << bytes / 1048576.0 << " MiB (" << bytes / liquid.owned()
@@ -88,7 +94,7 @@ void reportCosts(const Liquid& liquid, const BackgroundWriter& writer)
 
 void refuseDivergence
 (
-    const Time& time, const SubSteps& steps, double spacing, const Speeds& speeds, BackgroundWriter& writer
+    const Time& time, const SubSteps& steps, double spacing, const Speeds& speeds, CaseWriter& writer
 )
 {
     constexpr double mostSpacings = 10;

@@ -4,22 +4,17 @@
 // paper, stands in the header it comes from.
 
 #include "CaseChanges.H"
+#include "CaseWriter.H"
 #include "ProfileReport.H"
 #include "StepReport.H"
 #include "core/arguments/runApplication.H"
-#include "core/fieldFile/BackgroundWriter.H"
 #include "core/time/CaseLock.H"
 #include "device/DeviceApplication.H"
 #include "functionObjects/FunctionObjects.H"
-#include "motion/SpeedMeter.H"
-#include "particles/ParticleFiles.H"
 #include "stepping/DryRun.H"
-#include "stepping/StartCheck.H"
-#include "stepping/StepControl.H"
-#include "stepping/SubStep.H"
+#include "stepping/TimeStep.H"
 
 #include <iostream>
-#include <optional>
 
 namespace shizuku
 {
@@ -33,92 +28,51 @@ void pbfDroplet(const Arguments& args)
 
     Time time(args.casePath());
     CaseChanges changes(time);
-    const Dictionary solution = Dictionary::read(args.casePath() / "system/solution");
-    const Dictionary liquidDict = Dictionary::read(args.casePath() / "constant/liquidProperties");
+    CaseSetup setup(args.casePath());
+    setup.make(time.value());
+    FunctionObjects functions(time, setup.liquid->properties().spacing, !args.found("noFunctionObjects"));
+    setup.readParticles(time);
+    setup.refuseBadStart(time);
 
-    Liquid liquid(LiquidProperties::read(solution, liquidDict), solution.subDictOrEmpty("kernel"));
-    Walls walls(args.casePath(), time.value(), liquid);
-    Models models(args.casePath(), solution, liquid, walls);
-    models.takeEffect(liquid, walls);
-    StepControl control(time.controlDict());
-    FunctionObjects functions(time, liquid.properties().spacing, !args.found("noFunctionObjects"));
-    const bool relaxes = relaxesOverlap(solution);
-    solution.refuseUnused();
-    liquidDict.refuseUnused();
-
-    liquid.read(time.path());
-    const StartLimits limits = StartLimits::of(time.index(), *models.pressure);
-    if (!relaxes) refuseOverlap(liquid, time.path(), limits);
-    if (time.index() == 0) walls.refuseLiquidInside(liquid);
+    Liquid& liquid = *setup.liquid;
     Neighbourhood near(liquid);
-    if (relaxes) reportRelaxation(relaxOverlap(liquid, near, walls, limits));
-    FlowView flow(time, liquid, near, walls, models);
-    if (time.index() == 0) warnOfResolution(flow);
-    warnOfOtherSolid(time, walls);
+    reportRelaxation(setup.relaxOverlap(time, near));
+    FlowView flow(time, liquid, near, *setup.walls, *setup.models);
     functions.modelsMade(flow);
-    SpeedMeter meter;
-    Speeds speeds = meter.measure(liquid);
-    std::cout << "Liquid particles " << liquid.owned() << ", solid particles " << walls.particles()
-              << ", analytic surfaces " << walls.surfaces() << std::endl;
-
-    if (args.found("dry-run")) return reportDryRun(time, control, liquid, walls, models, device, speeds.now);
+    TimeStep step(time, setup, near);
+    reportStart(flow);
+    if (args.found("dry-run")) return reportDryRun(time, step.control(), liquid, *setup.walls, *setup.models, device, step.speeds().now);
 
     const CaseLock alone(args.casePath());
-    const auto subSteps = [&] { return control.divide(time.deltaT(), speeds.now, liquid, models); };
-    const auto scaled = [&](const SubSteps& steps) { return liquid.units().toScaled(steps.dt, dimensions::time); };
-    if (time.index() == 0) settle(liquid, near, walls, models, scaled(subSteps()));
-
-    std::optional<ProfileReport> profile;
-    if (args.found("profile")) profile.emplace();
+    if (time.index() == 0) step.settle();
+    CaseWriter writer;
+    ProfileReport profile(args.found("profile"));
     std::cout << "Ready for the first step after " << clockTime() << " s" << std::endl;
-    SubStep subStep(liquid, near, walls, models);
-    ParticleWriter fields;
-    BackgroundWriter writer;
     while (time.running())
     {
-        if (time.readIfModified()) control = StepControl(time.controlDict());
-        if (changes.apply(time, liquid, walls, models))
+        if (time.readIfModified()) step.readControls();
+        if (changes.apply(time, setup))
         {
-            subStep.beginAnew();
+            step.beginAnew();
             functions.modelsMade(flow);
         }
-        const SubSteps steps = subSteps();
-        const scalar dt = scaled(steps);
+        const SubSteps steps = step.divide();
         time.advance();
-
-        for (int step = 0; step < steps.count; ++step)
-        {
-            subStep(dt);
-            if (step + 1 < steps.count) meter.watch(liquid);
-        }
+        step.make(steps);
         flow.moved(steps.dt);
         if (time.reportDue() || functions.lookAtDensities(time)) flow.computeDensities();
-        meter.ask(liquid);
-        subStep.begin(dt);                              // mostly the next one is as long
-        speeds = meter.take(liquid);
-        refuseDivergence(time, steps, liquid.properties().spacing, speeds, writer);
+        step.beginNext(steps);
+        refuseDivergence(time, steps, liquid.properties().spacing, step.speeds(), writer);
 
         functions.execute(flow);
         stopWhereAsked(time, functions);
         if (time.reportDue()) reportStep(steps, flow);
-        if (time.writeDue())
-        {
-            models.pressure->complete();
-            const auto particles = fields.copy(flow.liquid(), liquid.units(), time.format());
-            const auto theta = changes.writingTheta(time.format());
-            writer.add(time.writing([=](const std::filesystem::path& folder)
-            {
-                particles(folder);
-                theta(folder);
-            }));
-        }
-        functions.write(time, writer);
-        writer.start();
-        if (profile) profile->count(steps.count);
+        writer.write(time, flow, changes, functions);
+        profile.count(steps.count);
     }
     writer.finish();
     reportCosts(liquid, writer);
-    if (profile) profile->report(liquid, near);
+    profile.report(liquid, near);
 }
 
 }

@@ -35,13 +35,13 @@ void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const
 {
     if (!active()) return;
     tension_->begin(dt);
-    if (!wetting_->accelerates() && walls.held().all() && tension_->move(liquid, near, walls, dt)) return;
+    if (!wetting_->accelerates() && walls.constraints().all() && tension_->move(liquid, near, walls, dt)) return;
     acceleration_.resizeDiscarding(liquid.all());
     acceleration_.setZero();
     tension_->apply(liquid, near, walls, acceleration_);
     wetting_->apply(liquid, near, walls, acceleration_);
     displace(liquid, acceleration_, dt);
-    if (everyIteration_ || !tension_->isInternal() || walls.held().all()) acceleration_ = {};
+    if (everyIteration_ || !tension_->isInternal() || walls.constraints().all()) acceleration_ = {};
 }
 
 }

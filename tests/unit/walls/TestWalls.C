@@ -283,7 +283,7 @@ TEST(Walls, TellInWhichDirectionsTheyHold)
     const auto freePart = [](const std::string& walls)
     {
         const LiquidCase liquid({.walls = walls});
-        return liquid.walls.held().freePart({1, 2, 3});
+        return liquid.walls.constraints().freePart({1, 2, 3});
     };
     const auto expect = [](Vec3 found, Vec3 wanted) { EXPECT_LT(norm(found - wanted), 1e-6f); };
     const std::string floor = "floor { type plane; point (0 0 -1); normal (0 0 1); }\n";

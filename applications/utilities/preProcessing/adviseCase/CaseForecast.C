@@ -6,7 +6,7 @@
 #include "functionObjects/FunctionObjects.H"
 #include "motion/SpeedMeter.H"
 #include "particles/ParticleFiles.H"
-#include "stepping/StartCheck.H"
+#include "stepping/CaseSetup.H"
 #include "stepping/SubStep.H"
 
 #include <algorithm>
@@ -76,20 +76,16 @@ CaseForecast forecastCase(const TrialCase& trial, const std::vector<std::string>
     const SolverStart start = startSolver(trial, backend, measuredFor);
     deviceCounters().peakBytes = deviceCounters().bytes;        // of this case alone
     Time time(casePath);
-    const Dictionary solution = Dictionary::read(casePath / "system/solution");
-    const Dictionary liquidDict = Dictionary::read(casePath / "constant/liquidProperties");
-    Liquid liquid(LiquidProperties::read(solution, liquidDict), solution.subDictOrEmpty("kernel"));
-    Walls walls(casePath, time.value(), liquid);
-    Models models(casePath, solution, liquid, walls);
-    models.takeEffect(liquid, walls);
+    CaseSetup setup(casePath);
+    setup.make(time.value());
+    Liquid& liquid = *setup.liquid;
+    Walls& walls = *setup.walls;
+    Models& models = *setup.models;
     FunctionObjects functions(time, liquid.properties().spacing, !trial.withoutSolid());
-    const bool relaxes = relaxesOverlap(solution);
-    solution.refuseUnused();
-    liquidDict.refuseUnused();
-    liquid.read(time.path());
+    setup.readParticles(time);
     measureCrowding(liquid);        // as the solver does: for its time, and the memory that it leaves to others
     Neighbourhood near(liquid);
-    if (relaxes) relaxOverlap(liquid, near, walls, StartLimits::of(time.index(), *models.pressure));
+    setup.relaxOverlap(time, near);
     FlowView flow(time, liquid, near, walls, models);
     functions.modelsMade(flow);
 

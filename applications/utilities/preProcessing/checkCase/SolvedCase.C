@@ -3,7 +3,6 @@
 #include "caseFiles/SampledWall.H"
 #include "functionObjects/FunctionObjects.H"
 #include "liquidBodies/FilledBody.H"
-#include "stepping/StartCheck.H"
 #include "thetaModels/ThetaField.H"
 
 namespace shizuku
@@ -16,66 +15,60 @@ const LiquidProperties water{1e-3, 998, 1e-6, 0.0728};      // spacing, rho, nu,
 
 }
 
-SolvedCase::SolvedCase(const std::filesystem::path& casePath, Findings& findings) : path(casePath)
+SolvedCase::SolvedCase(const std::filesystem::path& casePath, Findings& findings) : CaseSetup(casePath)
 {
     findings.attempt([&] { time.emplace(path); });
     readLiquid(findings);
     readWallsAndModels(findings);
     readSurfaces(findings);
     readFunctions(findings);
-    readParticles(findings);
+    checkParticles(findings);
     readDictionaries(findings);
 }
 
 void SolvedCase::readLiquid(Findings& findings)
 {
-    findings.attempt([&] { solution_ = Dictionary::read(path / "system/solution"); });
-    findings.attempt([&] { properties_ = Dictionary::read(path / "constant/liquidProperties"); });
+    findings.attempt([&] { readSolution(); });
+    findings.attempt([&] { readLiquidProperties(); });
     // Each file by itself, so that an error of the one does not hide those of the other.
     const Dictionary standIn = Dictionary::parse("spacing 1e-3; rho 998; nu 1e-6; sigma 0.0728;");
-    bool good = solution_ && properties_;
-    if (solution_) good &= findings.attempt([&] { LiquidProperties::read(*solution_, standIn); });
-    if (properties_) good &= findings.attempt([&] { LiquidProperties::read(standIn, *properties_); });
-    if (properties_ && good) findings.attempt([&] { properties_->refuseUnused(); });
-    if (!solution_) return;
-    findings.attempt([&]
-    {
-        const LiquidProperties properties = good ? LiquidProperties::read(*solution_, *properties_) : water;
-        auto made = std::make_unique<Liquid>(properties, solution_->subDictOrEmpty("kernel"));
-        if (good) liquid = std::move(made);
-    });
+    bool good = solution && liquidProperties;
+    if (solution) good &= findings.attempt([&] { LiquidProperties::read(*solution, standIn); });
+    if (liquidProperties) good &= findings.attempt([&] { LiquidProperties::read(standIn, *liquidProperties); });
+    if (good) findings.attempt([&] { makeLiquid(); });
+    else if (solution) findings.attempt([&] { Liquid(water, solution->subDictOrEmpty("kernel")); });
 }
 
 void SolvedCase::readWallsAndModels(Findings& findings)
 {
     const double start = time ? time->value() : 0;
     Liquid standIn(liquid ? liquid->properties() : water, Dictionary());
-    std::unique_ptr<Walls> trial;
-    findings.attempt([&] { trial = std::make_unique<Walls>(path, start, liquid ? *liquid : standIn); });
-    if (!liquid || !trial || !solution_) return readModelsApart(standIn, trial.get(), findings);
-
-    walls = std::move(trial);
-    if (findings.attempt([&] { models = std::make_unique<Models>(path, *solution_, *liquid, *walls); }))
+    if (!liquid)
     {
-        models->takeEffect(*liquid, *walls);
-        findings.attempt([&] { relaxes_ = relaxesOverlap(*solution_); });
-        findings.attempt([&] { solution_->refuseUnused(); });
+        std::unique_ptr<Walls> trial;
+        findings.attempt([&] { trial = std::make_unique<Walls>(path, start, standIn); });
+        return readModelsApart(standIn, trial.get(), findings);
     }
-    else readModelsApart(standIn, walls.get(), findings);
+    findings.attempt([&] { makeWalls(start); });
+    if (!walls || !findings.attempt([&] { makeModels(); })) return readModelsApart(standIn, walls.get(), findings);
+    findings.attempt([&] { readOverlaps(); });
+    findings.attempt([&] { refuseUnused(); });
 }
 
 // One model after the other, so that an error of the one does not hide those of the next.
-void SolvedCase::readModelsApart(Liquid& standIn, Walls* walls, Findings& findings)
+void SolvedCase::readModelsApart(Liquid& standIn, const Walls* known, Findings& findings)
 {
-    std::optional<Dictionary> models;
-    if (!findings.attempt([&] { models = Dictionary::read(path / "constant/models"); })) return;
-    findings.attempt([&] { BodyForce::New(*models, path / "constant", standIn); });
-    Walls noWalls;
+    std::optional<Dictionary> dict;
+    if (!findings.attempt([&] { dict = Dictionary::read(path / "constant/models"); })) return;
+    const Walls none{};
+    const Walls& around = known ? *known : none;
     FreeSurface surface;
-    if (walls) findings.attempt([&] { InterParticleForces(*models, standIn, *walls, surface); });
-    if (solution_) findings.attempt([&] { Pressure::New(*models, *solution_, standIn, walls ? *walls : noWalls, surface); });
-    findings.attempt([&] { Viscosity::New(*models, standIn); });
-    findings.attempt([&] { ParticleShifting::New(*models, standIn, walls ? *walls : noWalls, surface); });
+    findings.attempt([&] { BodyForce::New(*dict, path / "constant", standIn); });
+    if (known) findings.attempt([&] { InterParticleForces(*dict, standIn, around, surface); });
+    if (solution) findings.attempt([&] { Pressure::New(*dict, *solution, standIn, around, surface); });
+    findings.attempt([&] { VelocityFilter::New(*dict, standIn); });
+    findings.attempt([&] { Viscosity::New(*dict, standIn); });
+    findings.attempt([&] { ParticleShifting::New(*dict, standIn, around, surface); });
 }
 
 // What sampleSurface and sampleTheta read of the walls, whether or not they have run; and whether they still say what these made of it.
@@ -121,17 +114,16 @@ void SolvedCase::readFunctions(Findings& findings)
     });
 }
 
-void SolvedCase::readParticles(Findings& findings)
+void SolvedCase::checkParticles(Findings& findings)
 {
     if (!liquid || !time) return;
-    if (!findings.attempt([&] { liquid->read(time->path()); })) return;
-    const StartLimits limits = models ? StartLimits::of(time->index(), *models->pressure) : StartLimits{};
-    if (!relaxes_) findings.attempt([&] { refuseOverlap(*liquid, time->path(), limits); });
-    else if (measureCrowding(*liquid).overlaps(limits))
+    if (!findings.attempt([&] { readParticles(*time); })) return;
+    findings.attempt([&] { refuseOverlap(*time); });
+    if (relaxes && measureCrowding(*liquid).overlaps(limits(*time)))
     {
         findings.warn("the liquid overlaps itself, and is moved apart before the first step (overlaps relax)");
     }
-    if (walls && time->index() == 0) findings.attempt([&] { walls->refuseLiquidInside(*liquid); });
+    if (walls) findings.attempt([&] { refuseLiquidInside(*time); });
 }
 
 // What the utilities read: the syntax of every dictionary, and the bodies of liquid.

@@ -147,9 +147,9 @@ public:
         made_ = 0;
     }
 
-    bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    bool converged(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        if (made_ > 0 || liquid.owned() == 0) return false;
+        if (made_ > 0 || liquid.owned() == 0) return true;
         pressure_.resizeDiscarding(liquid.all());
         nearPressure_.resizeDiscarding(liquid.all());
         forEach(liquid.owned(), Pressures
@@ -157,7 +157,7 @@ public:
             relaxation_, 1 / liquid.particleVolume(), liquid.predicted.span(), near.view(), walls.view(liquid).particles,
             pressure_.span(), nearPressure_.span()
         });
-        return true;
+        return false;
     }
 
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override

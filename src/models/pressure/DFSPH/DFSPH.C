@@ -194,9 +194,9 @@ public:
         dt_ = dt;
     }
 
-    bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    bool converged(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
+        if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return true;
         const scalar perPressure = dt_ * dt_ / liquid.restDensity();
         std::visit
         (
@@ -220,7 +220,7 @@ public:
             },
             liquid.kernel()
         );
-        return compression_.wantsAnother(liquid, controls_, iterations_);
+        return !compression_.wantsAnother(liquid, controls_, iterations_);
     }
 
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override

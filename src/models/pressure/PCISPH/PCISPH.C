@@ -57,9 +57,9 @@ public:
         pressure_.setZero();
     }
 
-    bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    bool converged(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return false;
+        if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return true;
         const scalar perPressure = dt_ * dt_ / liquid.restDensity();
         increase_.resizeDiscarding(liquid.all());
         computeDensity(liquid, near, walls);
@@ -67,7 +67,7 @@ public:
         {
             1 / (2 * perPressure * squares_), perPressure, liquid.density.span(), pressure_.span(), increase_.span()
         });
-        return compression_.wantsAnother(liquid, controls_, iterations_);
+        return !compression_.wantsAnother(liquid, controls_, iterations_);
     }
 
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override

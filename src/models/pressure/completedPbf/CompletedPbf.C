@@ -16,7 +16,7 @@
 // G_i = sum_j V grad W_ij + grad(walls) of the neighbours as they lie, g_i what a planar surface at depth s_i has. Their
 // difference is the particle's disorder, and e_i orders the particles: under suction, where the sum alone would let them clump,
 // and o times as strongly as the sum alone under pressure (doc/notebook/theory/completedPbf.md). Ordering is internal: what all e_i of a
-// step move and turn as a whole is taken back at its end (models/forces/NetMotion.H). So is what walls of one contact angle give along themselves: liquid does not slide by
+// step move and turn as a whole is taken back at its end (models/forces/RigidMotion.H). So is what walls of one contact angle give along themselves: liquid does not slide by
 // itself where it wets alike everywhere. What an order of the particles would bear of shear is taken out once a step (OrderStress.H).
 //
 //     pressure    completedPbf;           // in constant/models
@@ -66,7 +66,7 @@ struct RaisePressure
     scalar relaxation, epsilon, perPressure; // perPressure: dt^2/rho0
     Span<Position> x;                       // gets dt^2/rho0 dp in the place of its block
     NeighbourView near;
-    WallCompletion walls;
+    WallContribution walls;
     FreeSurfaceView surface;
     HalfSpaceView plane;
     Span<const scalar> pressure;            // so far; of the first iteration that of the step before
@@ -182,16 +182,16 @@ public:
         alongSurfaces_ = givenAlongSurfaces_.value_or(surface_.agreed().pressureJump);
     }
 
-    bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    bool converged(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        if (steady_.enough(iterations_) || liquid.isEmpty()) return false;
+        if (steady_.enough(iterations_) || liquid.isEmpty()) return true;
         if (!extended_)
         {
             extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
             oneAngle_ = walls.oneContactAngle();
         }
         push_.resizeDiscarding(liquid.all());
-        const int sliding = walls.held().all() ? 0 : liquid.owned();
+        const int sliding = walls.constraints().all() ? 0 : liquid.owned();
         order_.resizeDiscarding(oneAngle_ ? 0 : sliding);
         if (iterations_ == 0)
         {
@@ -209,7 +209,7 @@ public:
         else raisePressure(liquid, near, walls, NoOrderStress{}, NoTangentialGradient{});
         liquid.ghosts().copy(liquid.predicted);
         if (iterations_ == 0) liquid.ghosts().copy(stress_);
-        return steady_.another(liquid, limits_, iterations_);
+        return !steady_.another(liquid, limits_, iterations_);
     }
 
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override

@@ -14,7 +14,7 @@ public:
     NoPressure(const Dictionary& dict, Liquid&, const Walls&, FreeSurface&) { dict.markUsed(); }
 
     void begin(scalar) override {}
-    bool violated(Liquid&, const Neighbourhood&, const Walls&) override { return false; }
+    bool converged(Liquid&, const Neighbourhood&, const Walls&) override { return true; }
     void correct(Liquid&, const Neighbourhood&, const Walls&) override {}
     int iterations() const override { return 0; }
     bool seesGhosts() const override { return true; }

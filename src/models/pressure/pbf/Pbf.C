@@ -111,9 +111,9 @@ public:
         dt_ = dt;
     }
 
-    bool violated(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    bool converged(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        if (iterations_ >= controls_.maxIterations || liquid.isEmpty()) return false;
+        if (iterations_ >= controls_.maxIterations || liquid.isEmpty()) return true;
         if (pressure_ && iterations_ == 0) pressure_->setZero();
         std::visit
         (
@@ -129,7 +129,7 @@ public:
             liquid.kernel()
         );
         liquid.ghosts().copy(multiplier_);
-        return compression_.wantsAnother(liquid, controls_, iterations_);
+        return !compression_.wantsAnother(liquid, controls_, iterations_);
     }
 
     void correct(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override

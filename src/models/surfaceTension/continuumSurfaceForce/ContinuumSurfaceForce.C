@@ -25,7 +25,7 @@
 // Where the surface is hollow the pressure behind it may fall to 1.5 sigma kappa, and to -sigma/d away from the surface.
 //
 // The tension of closed surfaces, and of those that meet a plane everywhere at one angle, does not move liquid as a whole;
-// the sums do a little, and it is taken back (models/forces/NetMotion.H).
+// the sums do a little, and it is taken back (models/forces/RigidMotion.H).
 // What was tried, and what each choice gave, stands in doc/notebook/theory/continuumSurfaceForce.md.
 //
 //     surfaceTension  continuumSurfaceForce;

@@ -42,7 +42,7 @@ namespace
 {
 
 // What a particle near the surface misses of its neighbourhood: the slope of the density's kernel there.
-struct OpenSide
+struct KernelDeficiency
 {
     scalar planar;                          // g
     scalar disorder;                        // o times what it misses more
@@ -50,7 +50,7 @@ struct OpenSide
 };
 
 template<class Kernel>
-struct MeasureOpenSide
+struct MeasureDeficiency
 {
     static constexpr Holds holds = Holds::more;
 
@@ -59,10 +59,10 @@ struct MeasureOpenSide
     scalar spacing, ordering;
     Span<const Position> x;
     NeighbourView near;
-    WallCompletion walls;                   // of the density's kernel
+    WallContribution walls;                   // of the density's kernel
     FreeSurfaceView surface;
     HalfSpaceView plane;                    // of the density's kernel
-    Span<OpenSide> open;
+    Span<KernelDeficiency> deficiency;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
@@ -76,11 +76,11 @@ struct MeasureOpenSide
         const scalar density = (densityVolume * liquid.W + wall.value) / (1 - gas.density);
         const scalar atWall = fmin(wall.value / plane(0.5f * spacing).density, 1);
         const scalar missing = dot(liquid.gradient + wall.gradient, G) / fmax(norm(G), 1e-20f);
-        open[k] = {planar, ordering * (missing - planar), 1 - atWall * (1 - density)};
+        deficiency[k] = {planar, ordering * (missing - planar), 1 - atWall * (1 - density)};
     }
 };
 
-struct Press
+struct ApplyLaplacePressure
 {
     static constexpr scalar farthest = 0.3f;        // R from 1
     // Of a film at a wall, the density over a planar surface's below which it pulls nothing on, and from which it does wholly.
@@ -92,7 +92,7 @@ struct Press
     FreeSurfaceView surface;
     Span<const Vec3> normal;                        // with w = b
     Span<const scalar> curvature;
-    Span<const OpenSide> open;
+    Span<const KernelDeficiency> deficiency;
     Span<Vec3> gradient;                            // with w = the lowest pressure
     ForceTarget target;
 
@@ -105,17 +105,17 @@ struct Press
         const scalar own = curvature[k];
         const bool first = team.first();
         scalar weight = first ? W.W(0) * mi.w : 0, kappas = weight * own;
-        scalar planar = first ? W.W(0) * open[k].planar : 0, disorder = first ? W.W(0) * open[k].disorder : 0;
-        scalar all = first ? W.W(0) : 0, filled = all * open[k].filled;
+        scalar planar = first ? W.W(0) * deficiency[k].planar : 0, disorder = first ? W.W(0) * deficiency[k].disorder : 0;
+        scalar all = first ? W.W(0) : 0, filled = all * deficiency[k].filled;
         forEachOnSurface(i, mi, near, surface, normal, [&](int l, Vec3 other)
         {
             const scalar w = W.W(norm(surface.position[l] - xi));
             weight += w * other.w;
             kappas += w * other.w * curvature[l];
-            planar += w * open[l].planar;
-            disorder += w * open[l].disorder;
+            planar += w * deficiency[l].planar;
+            disorder += w * deficiency[l].disorder;
             all += w;
-            filled += w * open[l].filled;
+            filled += w * deficiency[l].filled;
         }, team);
         weight = team.sum(weight);
         kappas = team.sum(kappas);
@@ -130,7 +130,7 @@ struct Press
         const Vec3 G = gradient[k];
         gradient[k].w = lowestBehind(jump, G.w);
         const scalar more = fmin(fmax(disorder / fmax(planar, 1e-20f), -farthest), farthest);
-        const scalar share = open[k].planar * (jump < 0 ? 1 - more : 1 + more);
+        const scalar share = deficiency[k].planar * (jump < 0 ? 1 - more : 1 + more);
         target.add(i, 2 * jump * share / (restDensity * norm(G)) * G);
     }
 };
@@ -160,25 +160,25 @@ private:
     {
         if (!extended_) extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
         const FreeSurfaceView view = surface_.view();
-        Buffer<OpenSide> open(surface_.particles().indices.size());
+        Buffer<KernelDeficiency> deficiency(surface_.particles().indices.size());
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                forEachTeam(surface_.particles(), MeasureOpenSide<Kernel>
+                forEachTeam(surface_.particles(), MeasureDeficiency<Kernel>
                 {
                     W, liquid.particleVolume(), liquid.particleVolume() / liquid.latticeSum(), liquid.spacing(), surface_.agreed().ordering,
                     liquid.predicted.span(), near.view(),
-                    {extended_->view(), W.h, walls.view(liquid)}, view, {plane_.span(), W.h}, open.span()
+                    {extended_->view(), W.h, walls.view(liquid)}, view, {plane_.span(), W.h}, deficiency.span()
                 });
             },
             liquid.kernel()
         );
-        liquid.ghosts().copy(surface_.particles(), open);
-        forEachTeam(surface_.particles(), Press
+        liquid.ghosts().copy(surface_.particles(), deficiency);
+        forEachTeam(surface_.particles(), ApplyLaplacePressure
         {
             surface_.kernel(), sigma_, liquid.restDensity(), followed(), near.view(), view, field.normal.span(), field.curvature.span(),
-            open.span(), surface_.gradient(), target
+            deficiency.span(), surface_.gradient(), target
         });
     }
 

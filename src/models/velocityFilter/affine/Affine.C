@@ -16,11 +16,10 @@
 //     velocityFilter  affine;
 //     affineCoeffs    { c 0.2; perCapillaryStep 0.7; passes 1; atWalls 0.3; slipAbove 0; }
 
+#include "models/smoothing/SmoothingControls.H"
 #include "models/velocityFilter/VelocityFilter.H"
 #include "models/velocityGradient/LeastSquaresGradient.H"
-#include "models/viscosity/XSPH/SmoothingShare.H"
 
-#include <sstream>
 #include <utility>
 
 namespace shizuku
@@ -128,21 +127,9 @@ class Affine : public VelocityFilter
 public:
     Affine(const Dictionary& coeffs, Liquid& liquid)
     :
-        c_(within(coeffs, "c", 0.2, 0, 1)), perCapillaryStep_(within(coeffs, "perCapillaryStep", 0, 0, 1)),
-        atWalls_(within(coeffs, "atWalls", 0.3, 0, 1)), passes_(int(within(coeffs, "passes", 1, 1, 2))),
-        capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
+        controls_(coeffs, liquid, 0.2), atWalls_(shareOf(coeffs, "atWalls", 0.3)), passes_(coeffs.lookupOr("passes", 1))
     {
-        const double slips = within(coeffs, "slipAbove", 0, 0, std::numeric_limits<double>::max());
-        if (slips > 0) slipAbove_ = scalar(slips) * liquid.spacing() / capillaryStep_;
-        for (const auto& [entry, value] : {std::pair("perCapillaryStep", double(perCapillaryStep_)), std::pair("slipAbove", slips)})
-        {
-            if (value == 0 || liquid.properties().surfaceTension > 0) continue;
-            throw FatalInputError
-            (
-                coeffs.where(entry), "There is no capillary step without a surface tension",
-                std::string(entry) + " 0, or a sigma in constant/liquidProperties"
-            );
-        }
+        if (passes_ != 1 && passes_ != 2) throw FatalInputError(coeffs.where("passes"), "Coefficient passes is out of range", "1 or 2");
     }
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
@@ -150,7 +137,7 @@ public:
         inverse_.resizeDiscarding(liquid.all());
         gradient_.resizeDiscarding(liquid.all());
         remainder_.resizeDiscarding(liquid.all());
-        const scalar share = scalar(smoothingShare(c_, perCapillaryStep_, dt / capillaryStep_));
+        const scalar share = controls_.share(dt);
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -170,7 +157,7 @@ public:
                 if (atWalls_ == 0 || (walls.particles() == 0 && walls.surfaces() == 0)) return;
                 forEach(liquid.owned(), HoldBack<Kernel>
                 {
-                    W, atWalls_ * share, slipAbove_, liquid.position.span(), walls.view(liquid), liquid.velocity.span()
+                    W, atWalls_ * share, controls_.slipAbove(), liquid.position.span(), walls.view(liquid), liquid.velocity.span()
                 });
             },
             liquid.kernel()
@@ -178,16 +165,6 @@ public:
     }
 
 private:
-    static scalar within(const Dictionary& coeffs, const std::string& entry, double fallback, double least, double most)
-    {
-        const double value = coeffs.lookupOr(entry, fallback);
-        if (value >= least && value <= most) return scalar(value);
-        std::ostringstream range;
-        range << least << " or more";
-        if (most < std::numeric_limits<double>::max()) range << ", up to " << most;
-        throw FatalInputError(coeffs.where(entry), "Coefficient " + entry + " is out of range", range.str());
-    }
-
     // Of the velocities u into remainder_.
     template<class Kernel>
     void findRemainders(const KernelWeight<Kernel>& k, const Liquid& liquid, const Neighbourhood& near, const Buffer<Vec3>& u)
@@ -198,9 +175,9 @@ private:
         forEachTeam(liquid.owned(), SumRemainders<Kernel>{k, V, x, u.span(), near.view(), gradient_.seen(), remainder_.span()});
     }
 
-    scalar c_, perCapillaryStep_, atWalls_;
+    SmoothingControls controls_;
+    scalar atWalls_;
     int passes_;
-    scalar capillaryStep_, slipAbove_ = std::numeric_limits<scalar>::infinity();    // scaled
     InverseMoments inverse_;
     OwnedRows gradient_;
     Buffer<Vec3> remainder_, again_;

@@ -14,8 +14,8 @@
 //     viscosity   XSPH;
 //     XSPHCoeffs  { c 0.05; perCapillaryStep 0; noSlip yes; slipAbove 0; }
 
+#include "models/smoothing/SmoothingControls.H"
 #include "models/viscosity/Viscosity.H"
-#include "models/viscosity/XSPH/SmoothingShare.H"
 
 namespace shizuku
 {
@@ -54,23 +54,8 @@ class XSPH : public Viscosity
 public:
     XSPH(const Dictionary& coeffs, Liquid& liquid)
     :
-        c_(shareOf(coeffs, "c", 0.05)), perCapillaryStep_(shareOf(coeffs, "perCapillaryStep", 0)),
-        noSlip_(coeffs.lookupOr("noSlip", true)),
-        capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
-    {
-        const double slips = noSlip_ ? coeffs.lookupOr("slipAbove", 0.0) : 0;
-        if (!(slips >= 0)) throw FatalInputError(coeffs.where("slipAbove"), "The speed slipAbove is negative", "0 or more, spacings a capillary step");
-        if (slips > 0) slipAbove_ = scalar(slips) * liquid.spacing() / capillaryStep_;
-        for (const auto& [entry, value] : {std::pair("perCapillaryStep", double(perCapillaryStep_)), std::pair("slipAbove", slips)})
-        {
-            if (value == 0 || liquid.properties().surfaceTension > 0) continue;
-            throw FatalInputError
-            (
-                coeffs.where(entry), "There is no capillary step without a surface tension",
-                std::string(entry) + " 0, or a sigma in constant/liquidProperties"
-            );
-        }
-    }
+        noSlip_(coeffs.lookupOr("noSlip", true)), controls_(coeffs, liquid, 0.05, noSlip_)
+    {}
 
     bool seesGhosts() const override { return true; }
 
@@ -85,8 +70,8 @@ public:
             {
                 forEachTeam(liquid.owned(), Smooth<Kernel>
                 {
-                    W, share(dt), liquid.particleVolume(), liquid.position.span(), liquid.velocity.span(), near.view(), noSlip_,
-                    slipAbove_, walls.view(liquid), smoothed.span()
+                    W, controls_.share(dt), liquid.particleVolume(), liquid.position.span(), liquid.velocity.span(), near.view(), noSlip_,
+                    controls_.slipAbove(), walls.view(liquid), smoothed.span()
                 });
             },
             liquid.kernel()
@@ -95,18 +80,8 @@ public:
     }
 
 private:
-    static scalar shareOf(const Dictionary& coeffs, const std::string& entry, double fallback)
-    {
-        const double share = coeffs.lookupOr(entry, fallback);
-        if (share >= 0 && share <= 1) return scalar(share);
-        throw FatalInputError(coeffs.where(entry), "Coefficient " + entry + " is out of range", "0 to 1");
-    }
-
-    scalar share(scalar dt) const { return scalar(smoothingShare(c_, perCapillaryStep_, dt / capillaryStep_)); }
-
-    scalar c_, perCapillaryStep_;
     bool noSlip_;
-    scalar capillaryStep_, slipAbove_ = std::numeric_limits<scalar>::infinity();    // scaled
+    SmoothingControls controls_;
 };
 
 const ViscosityTable::Add<XSPH> registered{"XSPH"};

@@ -28,7 +28,7 @@ TEST(OrderStress, IsTakenOutOfThePressure)
     {
         drop.liquid.predicted.upload(start);
         pressure->begin(dt);
-        ASSERT_TRUE(pressure->violated(drop.liquid, drop.near, drop.walls));
+        ASSERT_FALSE(pressure->converged(drop.liquid, drop.near, drop.walls));
         pressure->correct(drop.liquid, drop.near, drop.walls);
         p = drop.inOrder(*pressure->keepPressure());
     }
@@ -99,7 +99,7 @@ struct StoreDeviator
     scalar volume;
     Span<const Position> x;
     NeighbourView near;
-    WallCompletion walls;
+    WallContribution walls;
     FreeSurfaceView surface;
     HalfSpaceView plane;
     OrderStress stress;

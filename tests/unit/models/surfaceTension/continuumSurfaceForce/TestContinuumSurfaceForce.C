@@ -1,6 +1,6 @@
 // The surface's force on lattices whose curvature is known.
 
-#include "models/forces/NetMotion.H"
+#include "models/forces/RigidMotion.H"
 #include "models/surfaceTension/SurfaceTension.H"
 #include "models/surfaceTension/continuumSurfaceForce/SurfaceLayer.H"
 
@@ -154,7 +154,7 @@ TEST(ContinuumSurfaceForce, DoesNotMoveFreeLiquidAsAWhole)
     };
     EXPECT_GT(sumAndLargest().first, 0.1 * sumAndLargest().second);     // there is something to take back
     ASSERT_TRUE(tension->isInternal());
-    NetMotion().takeBack(drop.liquid, {}, {std::move(acceleration), dt * dt}, drop.walls, drop.surface.support(), dt);
+    RigidMotion().remove(drop.liquid, {}, {std::move(acceleration), dt * dt}, drop.walls, drop.surface.support(), dt);
     EXPECT_LT(sumAndLargest().first, 1e-4 * sumAndLargest().second);
 }
 

@@ -1,9 +1,9 @@
-#include "models/forces/NetMotion.H"
+#include "models/forces/RigidMotion.H"
 
 namespace shizuku
 {
 
-HOST_DEVICE void NetMotion::Sums::add(const Sums& other)
+HOST_DEVICE void RigidMotion::Sums::add(const Sums& other)
 {
     for (int c = 0; c < 3; ++c)
     {
@@ -34,7 +34,7 @@ struct SumsOfParticle
     WallView walls;
     scalar reach;
 
-    HOST_DEVICE NetMotion::Sums operator()(int i) const
+    HOST_DEVICE RigidMotion::Sums operator()(int i) const
     {
         const Position p = position[i];
         const Place at = placeOf(p);
@@ -51,23 +51,23 @@ struct SumsOfParticle
     }
 };
 
-// What is to be taken back.
+// What is to be removed.
 struct FindMotion
 {
-    Span<const NetMotion::Sums> sums;
-    HeldDirections walls, pulling;                      // pulling: those that bear other forces than pressure
-    Span<NetMotion::Motion> motion;
+    Span<const RigidMotion::Sums> sums;
+    WallConstraints walls, adhesive;                     // adhesive: those that bear other forces than pressure
+    Span<RigidMotion::Motion> motion;
 
     HOST_DEVICE void operator()(int) const
     {
-        const NetMotion::Sums& all = sums[0];
+        const RigidMotion::Sums& all = sums[0];
         const double n = double(all.particles);
         const bool atWall = all.atWall > 0;
-        const HeldDirections held = atWall ? walls : HeldDirections{}, pulled = atWall ? pulling : HeldDirections{};
-        const Vec3 forces = mean(all.forces, n), borne = forces - held.freePart(forces);
+        const WallConstraints any = atWall ? walls : WallConstraints{}, bearing = atWall ? adhesive : WallConstraints{};
+        const Vec3 forces = mean(all.forces, n), borne = forces - any.freePart(forces);
         const AboutCentroid about(all);
         const Place origin{about.origin(0), about.origin(1), about.origin(2)};
-        motion[0] = {held.freePart(mean(all.d, n)) + pulled.freePart(borne), turn(about, n, held), about.rest(n), origin};
+        motion[0] = {any.freePart(mean(all.d, n)) + bearing.freePart(borne), turn(about, n, any), about.rest(n), origin};
     }
 
 private:
@@ -77,7 +77,7 @@ private:
         std::int64_t c[3];
         double d[3], x[3], turn[3], xx[3], xy[3];       // scaled
 
-        HOST_DEVICE explicit AboutCentroid(const NetMotion::Sums& all)
+        HOST_DEVICE explicit AboutCentroid(const RigidMotion::Sums& all)
         {
             const Int128 n = all.particles;
             Int128 rest[3];
@@ -109,10 +109,10 @@ private:
     }
 
     // The turn whose angular momentum is that of the sums, about their centroid. None where the liquid is as thin as a line.
-    HOST_DEVICE static Vec3 turn(const AboutCentroid& all, double n, const HeldDirections& held)
+    HOST_DEVICE static Vec3 turn(const AboutCentroid& all, double n, const WallConstraints& constraints)
     {
         const double *x = all.x, *d = all.d;
-        const Vec3 momentum = held.freeTurn(vec
+        const Vec3 momentum = constraints.freeRotation(vec
         (
             all.turn[0] - (x[1] * d[2] - x[2] * d[1]) / n,
             all.turn[1] - (x[2] * d[0] - x[0] * d[2]) / n,
@@ -127,15 +127,15 @@ private:
         const scalar determinant = dot(a, cross(b, c));
         if (!(determinant > 1e-6f)) return {};
         const Vec3 adjugate = vec(dot(momentum, cross(b, c)), dot(momentum, cross(c, a)), dot(momentum, cross(a, b)));
-        return held.freeTurn(1 / (scalar(trace) * determinant) * adjugate);
+        return constraints.freeRotation(1 / (scalar(trace) * determinant) * adjugate);
     }
 
     HOST_DEVICE static Vec3 vec(double a, double b, double c) { return {scalar(a), scalar(b), scalar(c)}; }
 };
 
-struct MoveBack
+struct RemoveMotion
 {
-    Span<const NetMotion::Motion> motion;
+    Span<const RigidMotion::Motion> motion;
     scalar perStep;
     Span<Position> position;
     Span<Vec3> velocity;
@@ -160,13 +160,13 @@ private:
 
 }
 
-void NetMotion::takeBack
+void RigidMotion::remove
 (
     Liquid& liquid, const InternalDisplacement& pressure, const InternalDisplacement& forces, const Walls& walls,
     scalar reach, scalar dt
 )
 {
-    if (walls.held().all() || pressure.by.size() + forces.by.size() == 0) return;
+    if (walls.constraints().all() || pressure.by.size() + forces.by.size() == 0) return;
     reduce
     (
         liquid.owned(),
@@ -178,8 +178,8 @@ void NetMotion::takeBack
     );
     if (liquid.parts().parts() > 1) sums_.upload({liquid.parts().fold(sums_.download()[0])});
     motion_.resizeDiscarding(1);
-    forEach(1, FindMotion{sums_.span(), walls.held(), walls.pulling(), motion_.span()});
-    forEach(liquid.owned(), MoveBack{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});
+    forEach(1, FindMotion{sums_.span(), walls.constraints(), walls.adhesiveConstraints(), motion_.span()});
+    forEach(liquid.owned(), RemoveMotion{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});
 }
 
 }

@@ -1,6 +1,6 @@
 // What displacements move and turn the liquid as a whole, along and about what no wall holds.
 
-#include "models/forces/NetMotion.H"
+#include "models/forces/RigidMotion.H"
 
 #include "support/LiquidCase.H"
 #include "support/PointSets.H"
@@ -56,7 +56,7 @@ Motion leftOver
     drop.place(points, velocities);
     const scalar dt = 0.01f;
     const auto part = [&](scalar share) { return InternalDisplacement{Buffer<Vec3>(drop.liquid.velocity.download()), share * dt}; };
-    NetMotion().takeBack(drop.liquid, part(-0.5f), part(1.5f), drop.walls, reach * drop.liquid.spacing(), dt);
+    RigidMotion().remove(drop.liquid, part(-0.5f), part(1.5f), drop.walls, reach * drop.liquid.spacing(), dt);
     return motionOf(drop);
 }
 
@@ -65,7 +65,7 @@ constexpr double rounding = 1e-7;
 
 }
 
-TEST(NetMotion, IsNoneOfFreeLiquid)
+TEST(RigidMotion, IsNoneOfFreeLiquid)
 {
     const Motion left = leftOver("");
     EXPECT_LT(length(left.mean), rounding);
@@ -73,7 +73,7 @@ TEST(NetMotion, IsNoneOfFreeLiquid)
 }
 
 // As long as one layer of particles has the plane within reach.
-TEST(NetMotion, StaysAcrossAPlaneAndAboutAxesInIt)
+TEST(RigidMotion, StaysAcrossAPlaneAndAboutAxesInIt)
 {
     for (const scalar height : {scalar(0.5), reach - 0.1f})
     {
@@ -87,7 +87,7 @@ TEST(NetMotion, StaysAcrossAPlaneAndAboutAxesInIt)
 }
 
 // A plane bears nothing of what is not within its reach, nor do solid particles in one, whose plane is half a spacing above.
-TEST(NetMotion, IsNoneOfLiquidThatHasLeftAPlane)
+TEST(RigidMotion, IsNoneOfLiquidThatHasLeftAPlane)
 {
     const auto layer = latticeBlock(21, 21, 1, 1, {13, -38, -0.5f});
     const Motion left = leftOver(floorPlane, reach + 0.1f), sampled = leftOver(sampledFloor, reach + 0.1f, layer);
@@ -100,7 +100,7 @@ TEST(NetMotion, IsNoneOfLiquidThatHasLeftAPlane)
 }
 
 // Of a plane that nothing wets only what the pressure moved is left across it, -0.5 of all; as long as one layer has it within reach.
-TEST(NetMotion, StaysAcrossAPlaneThatNothingWetsIfPressureMadeIt)
+TEST(RigidMotion, StaysAcrossAPlaneThatNothingWetsIfPressureMadeIt)
 {
     const double all = leftOver(floorPlane, 0.5f, {}, "floor { theta 170; }").mean.z;
     EXPECT_NEAR(all, 0.15, 0.03);
@@ -108,7 +108,7 @@ TEST(NetMotion, StaysAcrossAPlaneThatNothingWetsIfPressureMadeIt)
     EXPECT_NEAR(leftOver(floorPlane, reach + 0.1f, {}, "floor { theta 180; }").mean.z, 0, rounding);
 }
 
-TEST(NetMotion, StaysInACornerButForItsEdge)
+TEST(RigidMotion, StaysInACornerButForItsEdge)
 {
     const Motion left = leftOver(floorPlane + "side { type plane; point (0.0195 0 0); normal (1 0 0); }");
     EXPECT_NEAR(left.mean.x, 0.05, 0.03);

@@ -1,0 +1,85 @@
+#include "stepping/CaseSetup.H"
+
+namespace shizuku
+{
+
+void CaseSetup::make(double start)
+{
+    readSolution();
+    readLiquidProperties();
+    makeLiquid();
+    makeWalls(start);
+    makeModels();
+    readOverlaps();
+    refuseUnused();
+}
+
+void CaseSetup::readSolution()
+{
+    solution = Dictionary::read(path / "system/solution");
+}
+
+void CaseSetup::readLiquidProperties()
+{
+    liquidProperties = Dictionary::read(path / "constant/liquidProperties");
+}
+
+void CaseSetup::makeLiquid()
+{
+    liquid = std::make_unique<Liquid>(LiquidProperties::read(*solution, *liquidProperties), solution->subDictOrEmpty("kernel"));
+    liquidProperties->refuseUnused();
+}
+
+void CaseSetup::makeWalls(double start)
+{
+    walls = std::make_unique<Walls>(path, start, *liquid);
+}
+
+void CaseSetup::makeModels()
+{
+    models = std::make_unique<Models>(path, *solution, *liquid, *walls);
+    models->takeEffect(*liquid, *walls);
+}
+
+void CaseSetup::readOverlaps()
+{
+    relaxes = relaxesOverlap(*solution);
+}
+
+void CaseSetup::refuseUnused() const
+{
+    solution->refuseUnused();
+}
+
+void CaseSetup::readParticles(const Time& time)
+{
+    liquid->read(time.path());
+}
+
+void CaseSetup::refuseBadStart(const Time& time) const
+{
+    refuseOverlap(time);
+    refuseLiquidInside(time);
+}
+
+void CaseSetup::refuseOverlap(const Time& time) const
+{
+    if (!relaxes) shizuku::refuseOverlap(*liquid, time.path(), limits(time));
+}
+
+void CaseSetup::refuseLiquidInside(const Time& time) const
+{
+    if (time.index() == 0) walls->refuseLiquidInside(*liquid);
+}
+
+StartLimits CaseSetup::limits(const Time& time) const
+{
+    return models ? StartLimits::of(time.index(), *models->pressure) : StartLimits{};
+}
+
+int CaseSetup::relaxOverlap(const Time& time, Neighbourhood& near)
+{
+    return relaxes ? shizuku::relaxOverlap(*liquid, near, *walls, limits(time)) : 0;
+}
+
+}

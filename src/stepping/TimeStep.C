@@ -1,0 +1,33 @@
+#include "stepping/TimeStep.H"
+
+namespace shizuku
+{
+
+TimeStep::TimeStep(const Time& time, CaseSetup& setup, Neighbourhood& near)
+:
+    time_(time), setup_(setup), near_(near), control_(time.controlDict()),
+    subStep_(*setup.liquid, near, *setup.walls, *setup.models), speeds_(meter_.measure(*setup.liquid))
+{}
+
+void TimeStep::settle()
+{
+    shizuku::settle(*setup_.liquid, near_, *setup_.walls, *setup_.models, scaled(divide()));
+}
+
+void TimeStep::make(const SubSteps& steps)
+{
+    for (int step = 1; step <= steps.count; ++step)
+    {
+        subStep_(scaled(steps));
+        if (step < steps.count) meter_.watch(*setup_.liquid);
+    }
+}
+
+void TimeStep::beginNext(const SubSteps& steps)
+{
+    meter_.ask(*setup_.liquid);
+    subStep_.begin(scaled(steps));
+    speeds_ = meter_.take(*setup_.liquid);
+}
+
+}
