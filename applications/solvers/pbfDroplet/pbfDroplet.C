@@ -6,6 +6,7 @@
 #include "CaseChanges.H"
 #include "ProfileReport.H"
 #include "StepReport.H"
+#include "core/arguments/StopSignals.H"
 #include "core/arguments/runApplication.H"
 #include "core/fieldFile/BackgroundWriter.H"
 #include "core/time/CaseLock.H"
@@ -70,10 +71,13 @@ void pbfDroplet(const Arguments& args)
 
     std::optional<ProfileReport> profile;
     if (args.found("profile")) profile.emplace();
+    const StopSignals signals;
     std::cout << "Ready for the first step after " << clockTime() << " s" << std::endl;
     SubStep subStep(liquid, near, walls, models);
     ParticleWriter fields;
     BackgroundWriter writer;
+    stopWhereAsked(time, functions);                    // by the step that the run goes on from
+    bool interrupted = false;
     while (time.running())
     {
         if (time.readIfModified()) control = StepControl(time.controlDict());
@@ -92,6 +96,7 @@ void pbfDroplet(const Arguments& args)
             if (step + 1 < steps.count) meter.watch(liquid);
         }
         flow.moved(steps.dt);
+        interrupted = stopWhereSignalled(time, signals);
         if (time.reportDue() || functions.lookAtDensities(time)) flow.computeDensities();
         meter.ask(liquid);
         subStep.begin(dt);                              // mostly the next one is as long
@@ -101,24 +106,29 @@ void pbfDroplet(const Arguments& args)
         functions.execute(flow);
         stopWhereAsked(time, functions);
         if (time.reportDue()) reportStep(steps, flow);
+        WriteJob state;
         if (time.writeDue())
         {
             models.pressure->complete();
             const auto particles = fields.copy(flow.liquid(), liquid.units(), time.format());
             const auto theta = changes.writingTheta(time.format());
-            writer.add(time.writing([=](const std::filesystem::path& folder)
+            const auto measured = functions.writingState(time);
+            state = time.writing([=](const std::filesystem::path& folder)
             {
                 particles(folder);
                 theta(folder);
-            }));
+                measured(folder);
+            });
         }
-        functions.write(time, writer);
+        functions.write(time, writer);                  // before the time that they lead up to can be seen
+        if (state) writer.add(std::move(state));
         writer.start();
         if (profile) profile->count(steps.count);
     }
     writer.finish();
     reportCosts(liquid, writer);
     if (profile) profile->report(liquid, near);
+    if (interrupted) signals.endIfReceived();
 }
 
 }
