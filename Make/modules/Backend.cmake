@@ -2,13 +2,14 @@
 # device application and the tests. Each backend folder includes this once, in its own directory scope, since
 # the language of a source file is a property of the directory.
 #     shizuku_backend(cuda LANGUAGE CUDA TESTS ${SHIZUKU_GPU} FLAGS ... SOURCES device/cuda/Device.C LINK CUDA::cudart)
+# TESTS: TRUE, FALSE, or the paths of some below tests/unit/.
 # One that is not among SHIZUKU_BACKENDS is left out of `all`; its targets can be asked for.
 include(${PROJECT_SOURCE_DIR}/Make/sources/device.cmake)
 include(${PROJECT_SOURCE_DIR}/Make/sources/deviceApplications.cmake)
 include(${PROJECT_SOURCE_DIR}/Make/sources/deviceTests.cmake)
 
 function(shizuku_backend backend)
-    cmake_parse_arguments(ARG "" "LANGUAGE;TESTS" "FLAGS;INCLUDE;SOURCES;LINK" ${ARGN})
+    cmake_parse_arguments(ARG "" "LANGUAGE" "TESTS;FLAGS;INCLUDE;SOURCES;LINK" ${ARGN})
 
     set(library shizukuDevice-${backend})
     set(sources ${ARG_SOURCES} ${SHIZUKU_DEVICE_SOURCES})
@@ -47,7 +48,11 @@ function(shizuku_backend backend)
     endforeach()
 
     if(GTest_FOUND AND SHIZUKU_DEVICE_TESTS AND ARG_TESTS)
-        set(sources ${SHIZUKU_DEVICE_TESTS})
+        if(ARG_TESTS MATCHES "[.]C$")
+            set(sources ${ARG_TESTS})
+        else()
+            set(sources ${SHIZUKU_DEVICE_TESTS})
+        endif()
         list(TRANSFORM sources PREPEND unit/)
         list(APPEND sources ${SHIZUKU_DEVICE_TEST_SUPPORT})
         list(TRANSFORM sources PREPEND ${PROJECT_SOURCE_DIR}/tests/)

@@ -1,6 +1,7 @@
 # Paths below src/.
 set(SHIZUKU_CORE_SOURCES
     core/arguments/Arguments.C
+    core/arguments/StopSignals.C
     core/arguments/runApplication.C
     core/dictionary/BalanceCheck.C
     core/dictionary/CalcExpression.C

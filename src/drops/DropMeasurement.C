@@ -22,6 +22,19 @@ double densityOf(const std::filesystem::path& casePath)
     return Dictionary::read(file).lookupPositive("rho", dimensions::density);
 }
 
+// Numbers of drops, each with so many that say something of it.
+std::vector<std::vector<double>> eachOf(const KeptNumbers& state, const std::string& name, std::size_t together)
+{
+    std::vector<std::vector<double>> each;
+    const auto found = state.find(name);
+    if (found == state.end()) return each;
+    for (auto next = found->second.begin(); std::size_t(found->second.end() - next) >= together; next += long(together))
+    {
+        each.emplace_back(next, next + long(together));
+    }
+    return each;
+}
+
 }
 
 DropControls DropControls::read(const Dictionary& dict, const CaseWalls& walls)
@@ -74,6 +87,30 @@ std::vector<DropRecord> DropMeasurement::measure
     }
     std::sort(records.begin(), records.end(), [](const auto& a, const auto& b) { return a.drop < b.drop; });
     return records;
+}
+
+KeptNumbers DropMeasurement::state() const
+{
+    KeptNumbers state;
+    if (numbers_.last() == 0) return state;
+    state["lastDrop"] = {double(numbers_.last())};
+    for (const auto& [number, x] : numbers_.known())
+    {
+        for (const double each : {double(number), x.x, x.y, x.z}) state["drops"].push_back(each);
+    }
+    for (const auto& [number, volume] : firstVolumes_)
+    {
+        for (const double each : {double(number), volume}) state["firstVolumes"].push_back(each);
+    }
+    return state;
+}
+
+void DropMeasurement::goOn(const KeptNumbers& state)
+{
+    std::vector<DropNumbers::Known> known;
+    for (const auto& drop : eachOf(state, "drops", 4)) known.push_back({int(drop[0]), {drop[1], drop[2], drop[3]}});
+    for (const auto& last : eachOf(state, "lastDrop", 1)) numbers_.goOn(known, int(last[0]));
+    for (const auto& first : eachOf(state, "firstVolumes", 2)) firstVolumes_[int(first[0])] = first[1];
 }
 
 DropRecord DropMeasurement::measureDrop

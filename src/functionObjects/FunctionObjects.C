@@ -1,9 +1,14 @@
 #include "functionObjects/FunctionObjects.H"
 
+#include "core/fieldFile/AtomicFile.H"
 #include "core/fieldFile/BackgroundWriter.H"
+#include "core/fieldFile/FoamFileHeader.H"
+#include "core/time/PostProcessing.H"
 #include "surface/CaseSurface.H"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace shizuku
 {
@@ -21,6 +26,25 @@ void checkName(const Dictionary& functions, const std::string& name)
         functions.where(name), "The function object is named '" + name + "', which names no folder below postProcessing",
         "a name without '/', other than . and .."
     );
+}
+
+std::filesystem::path stateFile(const std::filesystem::path& timeFolder)
+{
+    return timeFolder / "uniform" / "functionObjects";
+}
+
+const std::string countedWrites = "executeControlWrites";
+
+void writeState(std::ostream& stream, const std::string& name, const KeptNumbers& state)
+{
+    stream << name << "\n{\n";
+    for (const auto& [entry, numbers] : state)
+    {
+        stream << "    " << entry << " (";
+        for (const double number : numbers) stream << ' ' << number;
+        stream << " );\n";
+    }
+    stream << "}\n";
 }
 
 }
@@ -57,6 +81,45 @@ FunctionObjects::FunctionObjects(const Time& time, double spacing, bool enabled)
     }
     functions.refuseUnused();           // a value is no function object, unless a macro takes it
     for (Entry& entry : entries_) entry.object->connect(*this);
+    if (time.index() > 0) goOn(time);
+}
+
+void FunctionObjects::goOn(const Time& time)
+{
+    const auto file = stateFile(time.path());
+    if (!std::filesystem::exists(file)) return;
+    const Dictionary states = Dictionary::read(file);
+    for (Entry& entry : entries_)
+    {
+        const Dictionary dict = states.subDictOrEmpty(entry.name);
+        KeptNumbers state;
+        for (const std::string& name : dict.keys()) state[name] = dict.lookup<std::vector<double>>(name);
+        const std::vector<double>& counted = state[countedWrites];
+        if (!counted.empty()) entry.executeControl.goOn(long(counted.front()));
+        entry.object->goOn(state, time.value());
+    }
+}
+
+std::function<void(const std::filesystem::path&)> FunctionObjects::writingState(const Time& time) const
+{
+    std::map<std::string, KeptNumbers> states;
+    for (const Entry& entry : entries_)
+    {
+        KeptNumbers state = entry.object->state(time.value());
+        if (const long writes = entry.executeControl.writes(); writes > 0) state[countedWrites] = {double(writes)};
+        if (!state.empty()) states[entry.name] = std::move(state);
+    }
+    return [states](const std::filesystem::path& timeFolder)
+    {
+        if (states.empty()) return;
+        const auto file = stateFile(timeFolder);
+        writeAtomically(file, [&](std::ostream& stream)
+        {
+            writeFoamFileHeader(stream, file, "dictionary");
+            stream.precision(std::numeric_limits<double>::max_digits10);
+            for (const auto& [name, state] : states) writeState(stream, name, state);
+        });
+    };
 }
 
 bool FunctionObjects::lookAtDensities(const Time& time) const
@@ -79,8 +142,13 @@ void FunctionObjects::write(const Time& time, BackgroundWriter& writer)
 {
     for (Entry& entry : entries_)
     {
-        const bool due = entry.writeControl.due(time) || !time.running();
+        const bool due = entry.writeControl.due(time) || time.writeDue() || !time.running();
         if (!due || !entry.unwritten) continue;
+        if (!std::exchange(entry.written, true))
+        {
+            const std::filesystem::path table = entry.object->table()->file();
+            writer.add([start = time.startTime(), table] { dropRowsBehind(start, table); });
+        }
         writer.add(entry.object->writing());
         entry.unwritten = false;
     }

@@ -28,6 +28,7 @@ Process::Process(const std::string& command, const std::filesystem::path& log) :
 {
     if (id_ < 0) throw FatalError("Cannot start " + command);
     if (id_ > 0) return;
+    for (const int signal : {SIGINT, SIGTERM}) ::signal(signal, SIG_DFL);       // which a job in the background inherits as ignored
     const int file = ::open(log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     ::dup2(file, STDOUT_FILENO);
     ::dup2(file, STDERR_FILENO);
@@ -74,9 +75,14 @@ void Process::resume()
     if (!ended_) ::kill(id_, SIGCONT);
 }
 
-int Process::end(int signal)
+void Process::send(int signal)
 {
     if (!ended()) ::kill(id_, signal);
+}
+
+int Process::end(int signal)
+{
+    send(signal);
     return wait();
 }
 

@@ -5,19 +5,23 @@ namespace shizuku
 
 void CaseWriter::write(Time& time, FlowView& flow, const CaseChanges& changes, FunctionObjects& functions)
 {
+    WriteJob state;
     if (time.writeDue())
     {
         flow.models.pressure->complete();
         const Liquid& liquid = flow.liquid();
         const auto particles = particles_.copy(liquid, liquid.units(), time.format());
         const auto theta = changes.writingTheta(time.format());
-        background_.add(time.writing([=](const std::filesystem::path& folder)
+        const auto measured = functions.writingState(time);
+        state = time.writing([=](const std::filesystem::path& folder)
         {
             particles(folder);
             theta(folder);
-        }));
+            measured(folder);
+        });
     }
-    functions.write(time, background_);
+    functions.write(time, background_);                 // before the time that they lead up to can be seen
+    if (state) background_.add(std::move(state));
     background_.start();
 }
 

@@ -85,6 +85,15 @@ void stopWhereAsked(Time& time, const FunctionObjects& functions)
     time.stop();
 }
 
+bool stopWhereSignalled(Time& time, const StopSignals& signals)
+{
+    const Interruption interruption = signals.received();
+    if (interruption.signal == 0 || !time.running()) return false;
+    std::cout << "\nThe present step is the last. " << interruption.name() << " came; another one ends the run at once" << std::endl;
+    time.stopHere();
+    return true;
+}
+
 void reportCosts(const Liquid& liquid, const CaseWriter& writer)
 {
     const std::size_t bytes = deviceCounters().peakBytes;

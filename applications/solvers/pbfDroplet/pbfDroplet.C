@@ -7,6 +7,7 @@
 #include "CaseWriter.H"
 #include "ProfileReport.H"
 #include "StepReport.H"
+#include "core/arguments/StopSignals.H"
 #include "core/arguments/runApplication.H"
 #include "core/time/CaseLock.H"
 #include "device/DeviceApplication.H"
@@ -47,7 +48,10 @@ void pbfDroplet(const Arguments& args)
     if (time.index() == 0) step.settle();
     CaseWriter writer;
     ProfileReport profile(args.found("profile"));
+    const StopSignals signals;
     std::cout << "Ready for the first step after " << clockTime() << " s" << std::endl;
+    stopWhereAsked(time, functions);                    // by the step that the run goes on from
+    bool interrupted = false;
     while (time.running())
     {
         if (time.readIfModified()) step.readControls();
@@ -60,6 +64,7 @@ void pbfDroplet(const Arguments& args)
         time.advance();
         step.make(steps);
         flow.moved(steps.dt);
+        interrupted = stopWhereSignalled(time, signals);
         if (time.reportDue() || functions.lookAtDensities(time)) flow.computeDensities();
         step.beginNext(steps);
         refuseDivergence(time, steps, liquid.properties().spacing, step.speeds(), writer);
@@ -73,6 +78,7 @@ void pbfDroplet(const Arguments& args)
     writer.finish();
     reportCosts(liquid, writer);
     profile.report(liquid, near);
+    if (interrupted) signals.endIfReceived();
 }
 
 }

@@ -1,7 +1,9 @@
 #include "core/arguments/runApplication.H"
 
+#include "core/arguments/StopSignals.H"
 #include "core/messages/Error.H"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -52,6 +54,16 @@ int fail(const ApplicationInfo& info, const std::string& kind, const std::string
     return EXIT_FAILURE;
 }
 
+// By the signal itself, or where that is held back with the status that a shell would give it.
+int endBySignal(const ApplicationInfo& info, const Interruption& interruption)
+{
+    std::cout.flush();
+    std::cerr << "\n" << info.name << ": stopped by " << interruption.name() << std::endl;
+    ::signal(interruption.signal, SIG_DFL);
+    ::raise(interruption.signal);
+    return 128 + interruption.signal;
+}
+
 }
 
 int runApplication
@@ -68,6 +80,10 @@ int runApplication
         if (!quiet) std::cout << "\n" << executionTime() << "\n\nEnd\n";
         if (!std::cout.flush()) throw FatalError("The standard output cannot be written");
         return EXIT_SUCCESS;
+    }
+    catch (const Interruption& interruption)
+    {
+        return endBySignal(info, interruption);
     }
     catch (const FatalInputError& error)
     {

@@ -160,6 +160,12 @@ void Time::stop()
     stopIndex_ = state_.index;
 }
 
+void Time::stopHere()
+{
+    stop();
+    --stopIndex_;
+}
+
 void Time::advance()
 {
     if (state_.index == start_.index)

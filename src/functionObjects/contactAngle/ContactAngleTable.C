@@ -47,6 +47,10 @@ public:
         }
     }
 
+    // Drops keep their numbers and first volumes.
+    KeptNumbers state(double) const override { return measurement_.state(); }
+    void goOn(const KeptNumbers& state, double) override { measurement_.goOn(state); }
+
     bool looksAtDensities() const override { return false; }
     const CsvFile* table() const override { return &table_; }
 

@@ -19,7 +19,7 @@
 //
 // Any one of several conditions ends the run. It makes one more step, which is written as stopAt writeNow does; endTime holds as
 // ever. A condition looks at the row that was measured last, of several rows a time at the last one; what is not a number
-// satisfies nothing. A duration is counted from the start of the run: a run that ended and is started again goes on for it.
+// satisfies nothing. A run that was interrupted counts a duration on; one that ended by a condition and is started again goes on for it anew.
 
 #include "functionObjects/FunctionObjects.H"
 
@@ -67,15 +67,28 @@ public:
 
     bool satisfied(double time)
     {
-        const std::vector<CsvFile::Cell>& row = table_->lastRow();
-        const auto holds = [&](std::size_t column)
-        {
-            const double* const number = std::get_if<double>(&row[column]);
-            return number && (below_ ? *number < value_ : *number > value_);
-        };
-        if (row.empty() || !std::all_of(columns_.begin(), columns_.end(), holds)) since_.reset();
+        if (!holds()) since_.reset();
         else if (!since_) since_ = time;
-        return since_ && time - *since_ >= (1 - 1e-9) * duration_;
+        return isOver(time);
+    }
+
+    // What the condition is, whether it holds, and since when it has.
+    std::vector<double> state() const
+    {
+        std::vector<double> state = itself();
+        state.push_back(holds());
+        if (since_) state.push_back(*since_);
+        return state;
+    }
+
+    // Of another condition nothing counts.
+    bool goOn(const std::vector<double>& state, double time)
+    {
+        const std::vector<double> same = itself();
+        if (state.size() <= same.size() || !std::equal(same.begin(), same.end(), state.begin())) return false;
+        held_ = state[same.size()] != 0;
+        if (state.size() > same.size() + 1) since_ = state.back();
+        return isOver(time);
     }
 
     std::string text() const
@@ -88,6 +101,27 @@ public:
     }
 
 private:
+    // For the row that was measured last; until this run has measured one, for that of the run that it continues.
+    bool holds() const
+    {
+        const std::vector<CsvFile::Cell>& row = table_->lastRow();
+        if (row.empty()) return held_;
+        return std::all_of(columns_.begin(), columns_.end(), [&](std::size_t column)
+        {
+            const double* const number = std::get_if<double>(&row[column]);
+            return number && (below_ ? *number < value_ : *number > value_);
+        });
+    }
+
+    std::vector<double> itself() const
+    {
+        std::vector<double> numbers{double(below_), value_, duration_, double(columns_.size())};
+        numbers.insert(numbers.end(), columns_.begin(), columns_.end());
+        return numbers;
+    }
+
+    bool isOver(double time) const { return since_ && time - *since_ >= (1 - 1e-9) * duration_; }
+
     Dictionary dict_;
     std::vector<std::string> fields_;
     bool below_;
@@ -95,6 +129,7 @@ private:
     const CsvFile* table_ = nullptr;
     std::vector<std::size_t> columns_;
     std::optional<double> since_;           // s
+    bool held_ = false;
 };
 
 class RunTimeControl : public FunctionObject
@@ -107,31 +142,58 @@ public:
         {
             const Dictionary each = conditions.subDict(name);
             each.lookupChoice("type", {"minMax"});
-            conditions_.emplace_back(each);
+            conditions_.emplace_back(name, each);
         }
         if (conditions_.empty()) throw FatalInputError(conditions.where(), "There is no condition", "rest { type minMax; ... }");
     }
 
     void connect(const FunctionObjects& all) override
     {
-        for (Condition& condition : conditions_) condition.connect(all);
+        for (auto& [name, condition] : conditions_) condition.connect(all);
     }
 
     void execute(FlowView& flow) override
     {
         reason_.clear();
-        for (Condition& condition : conditions_)
+        for (auto& [name, condition] : conditions_)
         {
             if (condition.satisfied(flow.time.value())) reason_ = condition.text();
         }
+        noteWhen(flow.time.value());
+    }
+
+    // Of a run that ends by a condition nothing.
+    KeptNumbers state(double time) const override
+    {
+        KeptNumbers state;
+        if (asked_ && *asked_ < time) return state;
+        for (const auto& [name, condition] : conditions_) state[name] = condition.state();
+        return state;
+    }
+
+    void goOn(const KeptNumbers& state, double time) override
+    {
+        for (auto& [name, condition] : conditions_)
+        {
+            const auto found = state.find(name);
+            if (found != state.end() && condition.goOn(found->second, time)) reason_ = condition.text();
+        }
+        noteWhen(time);
     }
 
     bool looksAtDensities() const override { return false; }
     std::string reasonToEnd() const override { return reason_; }
 
 private:
-    std::vector<Condition> conditions_;
+    void noteWhen(double time)
+    {
+        if (reason_.empty()) asked_.reset();
+        else if (!asked_) asked_ = time;
+    }
+
+    std::vector<std::pair<std::string, Condition>> conditions_;     // with their names
     std::string reason_;
+    std::optional<double> asked_;           // s, when the end was first asked for
 };
 
 const FunctionObjectTable::Add<RunTimeControl> registered{"runTimeControl"};

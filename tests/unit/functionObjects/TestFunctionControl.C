@@ -57,7 +57,7 @@ TEST(FunctionControl, WritesWhenItIsTold)
     EXPECT_EQ(rows("each"), 2);
     EXPECT_EQ(rows("fields"), -1);
     flow.step({{0, 0, 0}});
-    EXPECT_EQ(rows("each"), 2);
+    EXPECT_EQ(rows("each"), 3);                     // with the fields all
     EXPECT_EQ(rows("fields"), 3);
 }
 

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdlib>
 #include <functional>
 
 using namespace shizuku;
@@ -52,6 +54,58 @@ TEST(SubStep, IsTheSameWhenListsFindNoRoom)
         ASSERT_EQ(found[i].x, expected[i].x);
         ASSERT_EQ(found[i].y, expected[i].y);
         ASSERT_EQ(found[i].z, expected[i].z);
+    }
+}
+
+namespace
+{
+
+// Places of a drop that falls and spreads on a plane, after ten steps so far off along x and y, less that way: in widths of the grid of cells,
+// along y in as many as bring its copies, which are shifted along z and x, back to their places.
+std::vector<std::array<std::int64_t, 3>> waysOf(const std::string& set, int x, int y)
+{
+    LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta 60; }"});
+    const auto folder = std::filesystem::path(std::getenv("SHIZUKU_DIR")) / "tests/validation/models" / set;
+    drop.folder.write("constant/models", "#include \"" + (folder / "models").string() + "\"\nbodyForce gravity;\n");
+    Models models(drop.folder.path(), Dictionary::read(folder / "solution"), drop.liquid, drop.walls);
+    models.takeEffect(drop.liquid, drop.walls);
+    auto points = latticeBall(4.2f, {0, 0, 4.4f});
+    RandomNumbers random(3);
+    disorder(points, 0.02f, random);
+    drop.place(points, std::vector<Vec3>(points.size(), Vec3{0.02f, 0.01f, -0.05f}));
+
+    const CellGridView grid = drop.near.grid().view();
+    const std::int64_t cell = std::int64_t(grid.width) << CellGridView::coarseBits;
+    const std::int64_t byX = x * (cell << grid.bitsX), byY = y * (cell << (grid.bitsX + grid.bitsY + grid.bitsZ));
+    std::vector<Position> moved;
+    for (const Position& p : drop.liquid.position.download())
+    {
+        const Place at = placeOf(p);
+        moved.push_back(positionAt(Place{at.x + byX, at.y + byY, at.z}));
+    }
+    drop.liquid.position.upload(moved);
+    drop.liquid.predicted.upload(moved);
+    const scalar dt = drop.liquid.units().toScaled(0.3 * drop.liquid.properties().capillaryStep(), dimensions::time);
+    SubStep subStep(drop.liquid, drop.near, drop.walls, models);
+    for (int step = 0; step < 10; ++step) subStep(dt);
+    std::vector<std::array<std::int64_t, 3>> ways;
+    for (const Position& p : drop.inOrder<Position>(drop.liquid.position))
+    {
+        const Place at = placeOf(p);
+        ways.push_back({at.x - byX, at.y - byY, at.z});
+    }
+    return ways;
+}
+
+}
+
+// To the bit: pairs are differences of quanta, and cells have the same order.
+TEST(SubStep, IsTheSameFarAway)
+{
+    for (const std::string set : {"default", "Fujisawa2014", "newtonian"})
+    {
+        const auto here = waysOf(set, 0, 0);
+        for (const auto& [x, y] : {std::pair{1, 0}, {0, -3}, {40, 500}}) EXPECT_EQ(waysOf(set, x, y), here) << set << ' ' << x << ' ' << y;
     }
 }
 

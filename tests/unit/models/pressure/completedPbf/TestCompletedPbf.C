@@ -102,7 +102,7 @@ TEST(CompletedPbf, TakesADropOnAWallToBeAtRest)
         {
             const bool inside = norm(points[i]) < 5.5f;
             ASSERT_NEAR(density[i], 1, inside ? 0.04 : 0.25) << i;
-            ASSERT_NEAR(density[i], sampled ? onAnalytic[i] : density[i], 1e-5) << i;
+            if (sampled) ASSERT_NEAR(density[i], onAnalytic[i], 1e-5) << i;
         }
         onAnalytic = density;
     }

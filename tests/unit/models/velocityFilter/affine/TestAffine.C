@@ -1,5 +1,6 @@
 #include "models/velocityFilter/VelocityFilter.H"
 
+#include "support/DisorderedBall.H"
 #include "support/LiquidCase.H"
 #include "support/MotionSums.H"
 
@@ -8,14 +9,6 @@ using namespace shizuku::test;
 
 namespace
 {
-
-std::vector<Vec3> disorderedBall(scalar radius)
-{
-    std::vector<Vec3> points = latticeBall(radius);
-    RandomNumbers random(3);
-    disorder(points, 0.2f, random);
-    return points;
-}
 
 std::vector<Vec3> filtered
 (

@@ -1,5 +1,6 @@
 #include "models/viscosity/Viscosity.H"
 
+#include "support/DisorderedBall.H"
 #include "support/LiquidCase.H"
 #include "support/MotionSums.H"
 
@@ -12,14 +13,6 @@ namespace
 CaseText liquidOf(const std::string& nu, const std::string& walls = {})
 {
     return {.liquidProperties = "rho 1000; nu " + nu + "; sigma 0.072;", .walls = walls};
-}
-
-std::vector<Vec3> disorderedBall(scalar radius)
-{
-    std::vector<Vec3> points = latticeBall(radius);
-    RandomNumbers random(3);
-    disorder(points, 0.2f, random);
-    return points;
 }
 
 // Velocities behind one step of dt (scaled), in the order of the points.
