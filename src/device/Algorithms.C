@@ -6,7 +6,7 @@
 #include "device/HostBuffer.H"
 #include "device/Profile.H"
 
-#ifdef __CUDACC__
+#ifdef LANES_SHARE
 #include "device/cuda/Primitives.H"
 #else
 #include "device/openmp/Primitives.H"
