@@ -32,8 +32,11 @@ if(SHIZUKU_CUDA)
 endif()
 if(SHIZUKU_CUDA AND CMAKE_CUDA_COMPILER)
     if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
-        # The GPU of this machine; without one, Hopper's code, and PTX that newer chips compile at start.
-        if(SHIZUKU_GPU)
+        # The GPU of this machine; without one, Hopper's code, and PTX that newer chips compile at start. For packages all that nvcc 13 knows, Turing
+        # to Blackwell, and PTX.
+        if(NOT SHIZUKU_NATIVE)
+            set(CMAKE_CUDA_ARCHITECTURES 75-real 80-real 86-real 89-real 90-real 100-real 120)
+        elseif(SHIZUKU_GPU)
             set(CMAKE_CUDA_ARCHITECTURES native)
         else()
             set(CMAKE_CUDA_ARCHITECTURES 90)

@@ -50,7 +50,7 @@ struct PartPairs
 class ClosePairs : public ParticleShifting
 {
 public:
-    ClosePairs(const Dictionary& coeffs, Liquid& liquid, const Walls& walls, FreeSurface& surface)
+    ClosePairs(const Dictionary& coeffs, Liquid& liquid, const Walls&, FreeSurface& surface)
     :
         distance_(scalar(coeffs.lookupOr("distance", 0.95))),
         surface_(surface)

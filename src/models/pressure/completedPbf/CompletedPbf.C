@@ -154,7 +154,7 @@ struct Displace
 class CompletedPbf : public Pressure
 {
 public:
-    CompletedPbf(const Dictionary& controls, Liquid& liquid, const Walls& walls, FreeSurface& surface)
+    CompletedPbf(const Dictionary& controls, Liquid& liquid, const Walls&, FreeSurface& surface)
     :
         controls_(PressureControls::read(controls, liquid)),
         ordering_(scalar(controls.lookupOr("ordering", 1.2))),

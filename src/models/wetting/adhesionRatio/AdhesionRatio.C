@@ -18,7 +18,7 @@ namespace
 class AdhesionRatio : public Wetting
 {
 public:
-    AdhesionRatio(const Dictionary& coeffs, Liquid&, const Walls& walls, const SurfaceTension& tension)
+    AdhesionRatio(const Dictionary& coeffs, Liquid&, const Walls&, const SurfaceTension& tension)
     :
         attraction_(tension.pairAttraction())
     {

@@ -93,7 +93,7 @@ struct WallPairForce
 class ContactAngle : public Wetting
 {
 public:
-    ContactAngle(const Dictionary& coeffs, Liquid& liquid, const Walls& walls, const SurfaceTension& tension)
+    ContactAngle(const Dictionary& coeffs, Liquid& liquid, const Walls&, const SurfaceTension& tension)
     :
         gamma_(requirePairCoefficients(tension, coeffs)),
         solidNormal_(coeffs.lookupChoiceOr("solidNormal", {"SPH", "wall", "zero"}, "SPH")),

@@ -15,7 +15,7 @@ namespace
 class ExtendedSurface : public Wetting
 {
 public:
-    ExtendedSurface(const Dictionary& coeffs, Liquid&, const Walls& walls, const SurfaceTension& tension)
+    ExtendedSurface(const Dictionary& coeffs, Liquid&, const Walls&, const SurfaceTension& tension)
     {
         if (!tension.freeSurface())
         {
