@@ -5,6 +5,7 @@
 # LANGUAGE, FLAGS: of what makes kernels. HOST_FLAGS: of what does not (SHIZUKU_KERNEL_FREE_SOURCES and most of applications), where LANGUAGE is not CXX.
 # One that is not among SHIZUKU_BACKENDS is left out of `all`; its targets can be asked for.
 include(${PROJECT_SOURCE_DIR}/Make/sources/device.cmake)
+include(${PROJECT_SOURCE_DIR}/Make/sources/kernelFree.cmake)
 include(${PROJECT_SOURCE_DIR}/Make/sources/deviceApplications.cmake)
 include(${PROJECT_SOURCE_DIR}/Make/sources/deviceTests.cmake)
 
@@ -19,7 +20,7 @@ function(shizuku_backend backend)
     set(sources ${ARG_SOURCES} ${SHIZUKU_DEVICE_SOURCES})
     foreach(source IN LISTS SHIZUKU_KERNEL_FREE_SOURCES)
         if(NOT source IN_LIST sources)
-            message(FATAL_ERROR "${source} is among SHIZUKU_KERNEL_FREE_SOURCES, but not among SHIZUKU_DEVICE_SOURCES (Make/sources/device.cmake)")
+            message(FATAL_ERROR "${source} is among SHIZUKU_KERNEL_FREE_SOURCES, (Make/sources/kernelFree.cmake), but not among SHIZUKU_DEVICE_SOURCES (device.cmake)")
         endif()
     endforeach()
     set(kernel_free ${SHIZUKU_KERNEL_FREE_SOURCES})

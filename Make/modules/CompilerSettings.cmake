@@ -22,7 +22,7 @@ if(DEFINED ENV{CI})
     set(in_ci ON)
 endif()
 option(SHIZUKU_WERROR "Refuse what a compiler warns of in host code" ${in_ci})
-option(SHIZUKU_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+set(SHIZUKU_SANITIZE OFF CACHE STRING "Sanitizers to build with, as -fsanitize takes them; ON: address,undefined")
 
 # Host code is compiled with these; errno and trapping arithmetic are never asked for, and fused
 # multiply-add is what the GPU does too. NaN and infinity keep their meaning (no -ffast-math).
@@ -39,8 +39,12 @@ if(SHIZUKU_WERROR)
     list(APPEND SHIZUKU_HOST_FLAGS -Werror -Wno-error=restrict)        # g++ 12 is wrong about strings (its bug 105651)
 endif()
 if(SHIZUKU_SANITIZE)
-    add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
-    add_link_options(-fsanitize=address,undefined)
+    set(sanitizers ${SHIZUKU_SANITIZE})
+    if(sanitizers STREQUAL ON)
+        set(sanitizers address,undefined)
+    endif()
+    add_compile_options(-fsanitize=${sanitizers} -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=${sanitizers})
 endif()
 
 execute_process(
