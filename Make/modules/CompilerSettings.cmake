@@ -36,7 +36,7 @@ else()
     list(APPEND SHIZUKU_HOST_FLAGS -Wno-psabi)      # eight floats at once where the processor has fewer: nobody else's interface
 endif()
 if(SHIZUKU_WERROR)
-    list(APPEND SHIZUKU_HOST_FLAGS -Werror -Wno-error=restrict)        # g++ 12 is wrong about strings (its bug 105651)
+    list(APPEND SHIZUKU_HOST_FLAGS -Werror -Wno-error=invalid-pch -Wno-error=restrict)        # g++ 12 is wrong about strings (its bug 105651)
 endif()
 if(SHIZUKU_SANITIZE)
     set(sanitizers ${SHIZUKU_SANITIZE})
