@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Builds the device part of the program for one backend: the library shizukuDevice-<backend>, a module for each
 # device application and the tests. Each backend folder includes this once, in its own directory scope, since
 # the language of a source file is a property of the directory.

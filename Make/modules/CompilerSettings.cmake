@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Language level, warnings, output folders and the name of the build.
 
 set(CMAKE_CXX_STANDARD 20)

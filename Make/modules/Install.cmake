@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # cmake --install and cpack. What is installed lies in one folder, which may be moved: bin, lib, etc, share, tutorials. Packages put it into
 # /opt/shizuku: shizuku with the CPU's backends, shizuku-cuda with the GPU's. Included last: it looks at all targets.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What the machine offers. Required: Boost. Optional, and then left out with a message: CUDA (the GPU
 # backend), VTK and CGAL (utilities), GoogleTest and Google Benchmark (tests and benchmarks).
 

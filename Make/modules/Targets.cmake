@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The few kinds of targets that the project has.
 
 # A host library (shared: models and tables register themselves when it is loaded).

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Applications that run on a device: path below applications/, then the sources in that folder, and which of them launch kernels.
 set(SHIZUKU_DEVICE_APPLICATIONS
     solvers/pbfDroplet

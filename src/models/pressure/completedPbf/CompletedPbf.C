@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Position based fluids with the density completed where neighbours are missing: at the free surface and at walls.
 //
 // The density of Macklin and Mueller 2013 reads a particle at the free surface as diluted and packs it until the drop has
