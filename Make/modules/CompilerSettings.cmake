@@ -36,6 +36,7 @@ else()
     endif()
     list(APPEND SHIZUKU_HOST_FLAGS -Wno-psabi)      # eight floats at once where the processor has fewer: nobody else's interface
 endif()
+set(SHIZUKU_TEST_FLAGS ${SHIZUKU_HOST_FLAGS} -O1)        # short runs: quick to compile counts. What tests are warned of is no error
 if(SHIZUKU_WERROR)
     list(APPEND SHIZUKU_HOST_FLAGS -Werror -Wno-error=invalid-pch -Wno-error=restrict)        # g++ 12 is wrong about strings (its bug 105651)
 endif()
