@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The kernels that a step on the CPU spends its time in, one at a time, by Google Benchmark: benchmarks/kernels.
 //
 // Liquid in a cube of `edge` particles, a lattice disturbed by a tenth of a spacing, with the default kernel. Times are of

@@ -1,38 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Builds the device part of the program for one backend: the library shizukuDevice-<backend>, a module for each
 # device application and the tests. Each backend folder includes this once, in its own directory scope, since
 # the language of a source file is a property of the directory.
-#     shizuku_backend(cuda LANGUAGE CUDA TESTS ${SHIZUKU_GPU} FLAGS ... SOURCES device/cuda/Device.C LINK CUDA::cudart)
+#     shizuku_backend(cuda LANGUAGE CUDA TESTS ${SHIZUKU_GPU} FLAGS ... HOST_FLAGS ... SOURCES device/cuda/Device.C LINK CUDA::cudart)
+# LANGUAGE, FLAGS: of what makes kernels. HOST_FLAGS: of what does not (SHIZUKU_KERNEL_FREE_SOURCES and most of applications), where LANGUAGE is not CXX.
 # TESTS: TRUE, FALSE, or the paths of some below tests/unit/.
 # One that is not among SHIZUKU_BACKENDS is left out of `all`; its targets can be asked for.
 include(${PROJECT_SOURCE_DIR}/Make/sources/device.cmake)
+include(${PROJECT_SOURCE_DIR}/Make/sources/kernelFree.cmake)
 include(${PROJECT_SOURCE_DIR}/Make/sources/deviceApplications.cmake)
 include(${PROJECT_SOURCE_DIR}/Make/sources/deviceTests.cmake)
 
 function(shizuku_backend backend)
-    cmake_parse_arguments(ARG "" "LANGUAGE" "TESTS;FLAGS;INCLUDE;SOURCES;LINK" ${ARGN})
+    cmake_parse_arguments(ARG "" "LANGUAGE" "TESTS;FLAGS;HOST_FLAGS;DEFINITIONS;INCLUDE;SOURCES;LINK" ${ARGN})
+    set(flags "$<$<COMPILE_LANGUAGE:${ARG_LANGUAGE}>:${ARG_FLAGS}>")
+    if(NOT ARG_LANGUAGE STREQUAL CXX)
+        list(APPEND flags "$<$<COMPILE_LANGUAGE:CXX>:${ARG_HOST_FLAGS}>")
+    endif()
 
     set(library shizukuDevice-${backend})
     set(sources ${ARG_SOURCES} ${SHIZUKU_DEVICE_SOURCES})
+    foreach(source IN LISTS SHIZUKU_KERNEL_FREE_SOURCES)
+        if(NOT source IN_LIST sources)
+            message(FATAL_ERROR "${source} is among SHIZUKU_KERNEL_FREE_SOURCES, (Make/sources/kernelFree.cmake), but not among SHIZUKU_DEVICE_SOURCES (device.cmake)")
+        endif()
+    endforeach()
+    set(kernel_free ${SHIZUKU_KERNEL_FREE_SOURCES})
     list(TRANSFORM sources PREPEND ${PROJECT_SOURCE_DIR}/src/)
+    list(TRANSFORM kernel_free PREPEND ${PROJECT_SOURCE_DIR}/src/)
     add_library(${library} SHARED ${sources})
     set_source_files_properties(${sources} PROPERTIES LANGUAGE ${ARG_LANGUAGE})
+    set_source_files_properties(${kernel_free} PROPERTIES LANGUAGE CXX)
+    target_compile_definitions(${library} PRIVATE ${ARG_DEFINITIONS})
     target_include_directories(${library} PUBLIC ${PROJECT_SOURCE_DIR}/src)
     target_include_directories(${library} SYSTEM PRIVATE ${ARG_INCLUDE})
-    target_compile_options(${library} PRIVATE ${ARG_FLAGS})
+    target_compile_options(${library} PRIVATE ${flags})
     target_link_libraries(${library} PUBLIC shizukuCore shizukuGeometry ${ARG_LINK})
-    if(ARG_LANGUAGE STREQUAL CXX)
-        target_precompile_headers(${library} PRIVATE ${SHIZUKU_PRECOMPILED})
-    endif()
+    target_precompile_headers(${library} PRIVATE ${SHIZUKU_PRECOMPILED})
 
     foreach(path IN LISTS SHIZUKU_DEVICE_APPLICATIONS)
         get_filename_component(name ${path} NAME)
         set(sources ${${name}_SOURCES})
+        set(kernels ${${name}_KERNELS})
         list(TRANSFORM sources PREPEND ${PROJECT_SOURCE_DIR}/applications/${path}/)
+        list(TRANSFORM kernels PREPEND ${PROJECT_SOURCE_DIR}/applications/${path}/)
         add_library(${name}-${backend} MODULE ${sources})
-        set_source_files_properties(${sources} PROPERTIES LANGUAGE ${ARG_LANGUAGE})
+        set_source_files_properties(${sources} PROPERTIES LANGUAGE CXX)
+        set_source_files_properties(${kernels} PROPERTIES LANGUAGE ${ARG_LANGUAGE})
         target_include_directories(${name}-${backend} PRIVATE
             ${PROJECT_SOURCE_DIR}/applications/${path} ${PROJECT_SOURCE_DIR}/applications)
-        target_compile_options(${name}-${backend} PRIVATE ${ARG_FLAGS})
+        target_compile_definitions(${name}-${backend} PRIVATE ${ARG_DEFINITIONS})
+        target_compile_options(${name}-${backend} PRIVATE ${flags})
         target_link_libraries(${name}-${backend} PRIVATE ${library} ${${name}_LINK})
         if(${name}_PLUGINS AND TARGET ${${name}_PLUGINS})
             # What registers itself is needed though nothing is called by name; only the linker sees it.
@@ -62,7 +80,8 @@ function(shizuku_backend backend)
         set_source_files_properties(${sources} PROPERTIES LANGUAGE ${ARG_LANGUAGE})
         set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
         target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-        target_compile_options(${name} PRIVATE ${ARG_FLAGS} -O1)     # short runs: quick to compile counts
+        target_compile_definitions(${name} PRIVATE ${ARG_DEFINITIONS})
+        target_compile_options(${name} PRIVATE ${flags} -O1 $<$<COMPILE_LANGUAGE:CXX>:-Wno-error>)         # short runs: quick to compile counts
         target_link_libraries(${name} PRIVATE ${library} GTest::gtest)
         if(ARG_LANGUAGE STREQUAL CXX)
             target_precompile_headers(${name} PRIVATE ${SHIZUKU_PRECOMPILED} <gtest/gtest.h>)

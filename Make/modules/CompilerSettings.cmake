@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Language level, warnings, output folders and the name of the build.
 
 set(CMAKE_CXX_STANDARD 20)
@@ -14,9 +15,15 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 set(CMAKE_BUILD_RPATH "$ORIGIN/../lib")
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../lib")
 
-option(SHIZUKU_NATIVE "Use every instruction of the processor that builds" ON)
-option(SHIZUKU_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+option(SHIZUKU_NATIVE "Use every instruction of the processor that builds; OFF: code for any x86-64-v2, and for v3 where the processor has it" ON)
+set(in_ci OFF)
+if(DEFINED ENV{CI})
+    set(in_ci ON)
+endif()
+option(SHIZUKU_WERROR "Refuse what a compiler warns of in host code" ${in_ci})
+set(SHIZUKU_SANITIZE OFF CACHE STRING "Sanitizers to build with, as -fsanitize takes them; ON: address,undefined")
 
 # Host code is compiled with these; errno and trapping arithmetic are never asked for, and fused
 # multiply-add is what the GPU does too. NaN and infinity keep their meaning (no -ffast-math).
@@ -24,11 +31,22 @@ set(SHIZUKU_HOST_FLAGS -Wall -Wextra -Wno-unknown-pragmas -fno-math-errno -fno-t
 if(SHIZUKU_NATIVE)
     list(APPEND SHIZUKU_HOST_FLAGS -march=native)
 else()
+    if(CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
+        list(APPEND SHIZUKU_HOST_FLAGS -march=x86-64-v2)
+    endif()
     list(APPEND SHIZUKU_HOST_FLAGS -Wno-psabi)      # eight floats at once where the processor has fewer: nobody else's interface
 endif()
+set(SHIZUKU_TEST_FLAGS ${SHIZUKU_HOST_FLAGS} -O1)        # short runs: quick to compile counts. What tests are warned of is no error
+if(SHIZUKU_WERROR)
+    list(APPEND SHIZUKU_HOST_FLAGS -Werror -Wno-error=invalid-pch -Wno-error=restrict)        # g++ 12 is wrong about strings (its bug 105651)
+endif()
 if(SHIZUKU_SANITIZE)
-    add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
-    add_link_options(-fsanitize=address,undefined)
+    set(sanitizers ${SHIZUKU_SANITIZE})
+    if(sanitizers STREQUAL ON)
+        set(sanitizers address,undefined)
+    endif()
+    add_compile_options(-fsanitize=${sanitizers} -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=${sanitizers})
 endif()
 
 execute_process(

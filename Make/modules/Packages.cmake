@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What the machine offers. Required: Boost. Optional, and then left out with a message: CUDA (the GPU
 # backend), VTK and CGAL (utilities), GoogleTest and Google Benchmark (tests and benchmarks).
 
@@ -26,14 +27,17 @@ include(CheckLanguage)
 if(NOT CMAKE_CUDA_COMPILER AND EXISTS /usr/local/cuda/bin/nvcc)
     set(CMAKE_CUDA_COMPILER /usr/local/cuda/bin/nvcc)
 endif()
-option(SHIZUKU_CUDA "Build the CUDA backend where nvcc is found" ON)
+set(SHIZUKU_CUDA ON CACHE STRING "Build the CUDA backend where nvcc is found; REQUIRED: fail where it is not")
 if(SHIZUKU_CUDA)
     check_language(CUDA)
 endif()
 if(SHIZUKU_CUDA AND CMAKE_CUDA_COMPILER)
     if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
-        # The GPU of this machine; without one, Hopper's code, and PTX that newer chips compile at start.
-        if(SHIZUKU_GPU)
+        # The GPU of this machine; without one, Hopper's code, and PTX that newer chips compile at start. For packages all that nvcc 13 knows, Turing
+        # to Blackwell, and PTX.
+        if(NOT SHIZUKU_NATIVE)
+            set(CMAKE_CUDA_ARCHITECTURES 75-real 80-real 86-real 89-real 90-real 100-real 120)
+        elseif(SHIZUKU_GPU)
             set(CMAKE_CUDA_ARCHITECTURES native)
         else()
             set(CMAKE_CUDA_ARCHITECTURES 90)
@@ -49,6 +53,8 @@ if(SHIZUKU_CUDA AND CMAKE_CUDA_COMPILER)
     find_package(CUDAToolkit REQUIRED)
     list(APPEND SHIZUKU_BACKENDS cuda)
     message(STATUS "CUDA backend: ${CMAKE_CUDA_COMPILER} ${CMAKE_CUDA_COMPILER_VERSION}, architectures ${CMAKE_CUDA_ARCHITECTURES}")
+elseif(SHIZUKU_CUDA STREQUAL REQUIRED)
+    message(FATAL_ERROR "CUDA backend: SHIZUKU_CUDA is REQUIRED, but there is no nvcc, neither on the PATH nor in /usr/local/cuda/bin")
 else()
     message(STATUS "CUDA backend: left out, no nvcc")
 endif()

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The few kinds of targets that the project has.
 
 # A host library (shared: models and tables register themselves when it is loaded).
@@ -54,7 +55,7 @@ function(shizuku_test path)
     set_source_files_properties(${ARG_SOURCES} PROPERTIES LANGUAGE CXX)
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-    target_compile_options(${name} PRIVATE ${SHIZUKU_HOST_FLAGS} -O1)        # short runs: quick to compile counts
+    target_compile_options(${name} PRIVATE ${SHIZUKU_TEST_FLAGS})
     target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest_main)
     target_precompile_headers(${name} REUSE_FROM testSupport)
     set(tests ${name})

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Paths below src/.
 set(SHIZUKU_ADVICE_SOURCES
     advice/CaseEdits.C

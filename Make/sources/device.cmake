@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Compiled once per backend. Paths below src/.
 set(SHIZUKU_DEVICE_SOURCES
     device/Algorithms.C

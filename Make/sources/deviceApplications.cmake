@@ -1,4 +1,5 @@
-# Applications that run on a device: path below applications/, then the sources in that folder.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Applications that run on a device: path below applications/, then the sources in that folder, and which of them launch kernels.
 set(SHIZUKU_DEVICE_APPLICATIONS
     solvers/pbfDroplet
     utilities/postProcessing/meshSurface
@@ -6,6 +7,7 @@ set(SHIZUKU_DEVICE_APPLICATIONS
     utilities/preProcessing/checkCase
 )
 set(pbfDroplet_SOURCES pbfDroplet.C CaseChanges.C CaseWriter.C StepReport.C ProfileReport.C Ceilings.C)
+set(pbfDroplet_KERNELS ProfileReport.C Ceilings.C)
 set(meshSurface_SOURCES meshSurface.C MeshTimes.C)
 set(adviseCase_SOURCES adviseCase.C CaseForecast.C SolverStart.C)
 set(adviseCase_LINK shizukuAdvice)

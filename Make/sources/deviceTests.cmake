@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Tests that run on a device, once per backend. Paths below tests/unit/.
 set(SHIZUKU_DEVICE_TESTS
     device/TestAlgorithms.C

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Paths below src/: host code in double precision, that cases are prepared, read and measured with.
 set(SHIZUKU_GEOMETRY_SOURCES
     caseFiles/AnalyticSurface.C

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Paths below src/.
 set(SHIZUKU_CASE_RUNS_SOURCES
     caseRuns/CaseRecord.C

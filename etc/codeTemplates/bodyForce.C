@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Gravity below a height alone, from constant/g. (Equation and source of the model.)
 //
 //     p_i = x_i + dt (u_i + dt g) where z_i < top, x_i + dt u_i elsewhere

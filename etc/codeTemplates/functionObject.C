@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How far the liquid's centroid has moved since the first step of the run. (What is measured, and from which source.)
 //
 //     drift { type @word@; }

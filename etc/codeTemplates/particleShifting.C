@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Diffusion: particles move towards where fewer are. (Equation and source of the model.)
 //
 //     s_i = -a h^2 sum_j V grad W_ij

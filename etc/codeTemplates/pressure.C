@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Particles that are closer than a spacing move apart, a fixed number of times. (Equation and source of the model.)
 //
 //     x_i += mean over close j of (d - r)/2 r_ij/r

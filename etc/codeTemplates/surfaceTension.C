@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cohesion: every particle pulls its neighbours, weighted by the kernel. (Equation and source of the model.)
 //
 //     a_i = -strength sigma/(rho0 d^3) sum_j V (x_i - x_j) W_ij

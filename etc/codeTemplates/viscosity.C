@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Drag: velocities decay at a constant rate. (Equation and source of the model.)
 //
 //     u_i = u_i/(1 + rate dt)

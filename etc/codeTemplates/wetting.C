@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A uniform pull on liquid that has a wall within its support, against the mean normal of the walls there.
 // (Equation and source of the model.)
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "caseFiles/SampledWall.H"
 
 #include "core/fieldFile/MappedFile.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/Algorithms.H"
 
 #include "core/messages/Error.H"
@@ -6,7 +7,7 @@
 #include "device/HostBuffer.H"
 #include "device/Profile.H"
 
-#ifdef __CUDACC__
+#ifdef LANES_SHARE
 #include "device/cuda/Primitives.H"
 #else
 #include "device/openmp/Primitives.H"

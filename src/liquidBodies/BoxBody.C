@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type box; min (0 0 0); max (1e-3 1e-3 1e-3);
 // Whole rows of particles fill its length and its width, a little wider or narrower than the spacing where that asks for
 // it; the height of the layers makes up for it. So the top layer alone may be incomplete.

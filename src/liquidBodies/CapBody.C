@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type cap; centre (0 0 0); normal (0 0 1); contactAngle 60; volume 4.19e-9;
 // A spherical cap on a plane wall: the shape of a small drop at rest. The centre is that of the base circle, the normal
 // that of the wall, into the liquid; the contact angle is in degrees, inside the liquid.

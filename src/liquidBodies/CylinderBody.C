@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type cylinder; point (0 0 0); axis (0 0 1); radius 1e-3; height 2e-3;
 // The point is the middle of the base, from which the cylinder extends along the axis.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type ellipsoid; centre (0 0 0); semiAxes (1e-3 1e-3 1.1e-3);
 // Semi-axes along x, y and z: a drop that is to swing about its sphere.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type sphere; centre (0 0 0.001); radius 1e-3;
 
 #include "liquidBodies/LiquidBody.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type surface; file "drop.stl"; scale 0.001; translate (0 0 1e-3);
 // The inside of a closed STL in constant/triSurface: coordinates times scale [m a unit of the file, default 1], and then
 // moved by translate [m, default zero]. Faces may look inward or outward; a shell inside of another one is a bubble.

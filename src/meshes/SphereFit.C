@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshes/SphereFit.H"
 
 #include "meshes/BallFit.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/Ghosts.H"
 
 namespace shizuku
@@ -26,5 +27,11 @@ void Ghosts::reorder(const Buffer<std::uint32_t>& order)
         }
     }
 }
+
+template void Ghosts::copy(Buffer<scalar>&) const;
+template void Ghosts::copy(Buffer<Vec3>&) const;
+template void Ghosts::copy(Buffer<Position>&) const;
+template void Ghosts::copy(Buffer<std::uint32_t>&) const;
+template void Ghosts::copy(Buffer<std::uint8_t>&) const;
 
 }

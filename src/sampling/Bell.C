@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // method bell: points at random on the triangles, as many as a lattice would have, which relaxation spreads evenly.
 // N. Bell, Y. Yu, P. J. Mucha: Particle-based simulation of granular materials. Symposium on Computer Animation 2005;
 // the repulsion is that of G. Turk: Re-tiling polygonal surfaces. SIGGRAPH 1992.

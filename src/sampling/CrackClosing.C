@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/CrackClosing.H"
 
 #include <CGAL/Polygon_mesh_processing/internal/Snapping/snap.h>

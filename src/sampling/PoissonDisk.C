@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // method poissonDisk: points at random on the triangles, kept where no earlier one is near. The layer starts with its
 // least distance in place, and saturated it has nearly the density of a relaxed one.
 // R. L. Cook: Stochastic sampling in computer graphics. ACM Transactions on Graphics 5, 1986.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS      // else the JSON parser of Boost 1.74 remarks on its own placeholders
 
 #include "study/StudyEngine.H"

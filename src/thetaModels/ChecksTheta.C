@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type checks; theta (30 110);
 // rows    { direction (0 1 0); period 1e-3; }      // see StripePattern.H: duty and phase too
 // columns { direction (1 0 0); period 1e-3; }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type constant; theta 60;     // degrees, the same everywhere on the patch
 
 #include "thetaModels/ThetaModel.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type expression; theta "90 + $swing*sin(2*pi*x/$period)"; swing 30; period 1e-3;
 // Degrees, a formula of x, y and z in metres with the arithmetic of #calc (see core/dictionary/CalcExpression.H); $name
 // is an entry beside it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type image; file "pattern.png"; theta (30 110); origin (-1e-3 -1e-3 0); width (2e-3 0 0); height (0 2e-3 0); outside tile;
 //
 // Wettability painted with a picture: the angles [degrees] of black and of white, in between in proportion to the grey

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type regions; theta 90;              // degrees, outside of all regions
 // regions
 // {

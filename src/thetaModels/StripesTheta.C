@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type stripes; theta (30 110); direction (1 0 0); period 1e-3; duty 0.5; phase 0;
 // The first angle [degrees] on the stripes, the second one between them; the rest: see StripePattern.H.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // vtp: for ParaView and whatever else reads VTK's files (vtk/VtpFile.H).
 
 #include "meshes/surfaceFormats/SurfaceFormat.H"

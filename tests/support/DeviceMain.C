@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The main of tests that run on a device. Without a GPU the CUDA tests are skipped, never passed: the exit status says
 // so to CTest. Where the driver lists a GPU that does not open, they fail.
 

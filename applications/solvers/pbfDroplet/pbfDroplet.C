@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // pbfDroplet: liquid with surface tension on wettable solids, by position based fluids.
 //
 // The time loop, with the sub-step in src/stepping/SubStep.C, is the algorithm. What each line computes, and from which

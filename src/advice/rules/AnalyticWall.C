@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Does a wall need to be sampled with particles?
 //
 // A flat surface of one contact angle, below all of the liquid, can be a `plane`: exact, without particles. What it changes

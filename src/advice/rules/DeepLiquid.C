@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Do the pressure's coarse grid and particle shifting keep the volume of deep liquid?
 //
 // pressure/coarseGrid of completedPbf, and particleShifting. An iteration carries a load by one support, so that all of a sub-step reach n h deep. Where

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which pressure, tension and wetting does this scene need?
 //
 // The default's, unless the stored studies have a smaller error for the case's own model set at the same resolution.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Does the answer need gravity?
 //
 // Of a body that stands on a level plane: the change of its height against the spherical cap of the same volume and

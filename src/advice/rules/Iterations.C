@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How many pressure iterations a sub-step does a drop at rest need?
 //
 // pressure/maxIterations: the fewest from which on the stored study (doc/studies/iterations-runs.csv, sessile drops) has

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How many particles does the tolerance ask for?
 //
 // The fewest N from which on the stored studies have the answer within the tolerance, of the smallest body:

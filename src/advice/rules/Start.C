@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // May the liquid jump off the wall that it starts on?
 //
 // A body on a flat wall of one contact angle, taken as the cap of its volume that has as much liquid within a spacing of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Does the answer need surface tension?
 //
 //     effect = 1/(Bo + We),    Bo = rho g D^2/sigma,    We = rho U^2 D/sigma

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How long may a sub-step be?
 //
 // maxCapillaryCo, in capillary steps sqrt(rho d^3/(2 pi sigma)): the longest one of the stored studies up to which the

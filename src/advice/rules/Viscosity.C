@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Does the answer need the liquid's viscosity, and does the model give it?
 //
 //     effect = 1 - exp(-5 nu t/R^2)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dictionary/Dictionary.H"
 #include "core/dictionary/DictionaryExpansion.H"
 #include "core/dictionary/DictionaryNode.H"

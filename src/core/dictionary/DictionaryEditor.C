@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dictionary/DictionaryEditor.H"
 #include "core/dictionary/DictionaryGrammar.H"
 #include "core/dictionary/EntryPath.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dictionary/DictionaryGrammar.H"
 #include "core/dictionary/BalanceCheck.H"
 #include "core/dictionary/TextCharacters.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dictionary/Expansion.H"
 #include "core/dictionary/CalcExpression.H"
 #include "core/dictionary/DictionaryExpansion.H"

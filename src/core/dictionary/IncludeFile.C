@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dictionary/IncludeFile.H"
 
 #include <cstdlib>
@@ -16,12 +17,13 @@ fs::path environmentPath(const char* variable)
     return value ? fs::path(value) : fs::path();
 }
 
-// The folder with build/bin/<program> in it; links to the program are followed. Empty where the system does not tell.
+// The folder with bin/<program> and etc in it, or that with build/bin/<program>; links to the program are followed. Empty where the system does not
+// tell.
 fs::path installation()
 {
     std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    return program.parent_path().parent_path().parent_path();
+    const fs::path program = fs::read_symlink("/proc/self/exe", error), folder = program.parent_path().parent_path();
+    return fs::is_directory(folder/"etc", error) ? folder : folder.parent_path();
 }
 
 }

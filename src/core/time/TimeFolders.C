@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/time/Time.H"
 #include "core/time/TimeName.H"
 #include "core/time/TimeState.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/Readback.H"
 
 #include "device/cuda/Check.H"

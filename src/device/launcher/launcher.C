@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The executable of a device application: opens the module of the backend that -device and -precision ask for.
 //
 // -device auto takes CUDA where a GPU and the module are there, the CPU otherwise; double precision is of the CPU alone. The

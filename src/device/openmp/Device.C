@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/messages/Error.H"
 #include "device/Device.H"
 #include "device/Lanes.H"

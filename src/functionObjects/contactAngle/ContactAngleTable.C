@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Contact angles, contact radius, height and volume of every drop on a wall while the solver runs: what meshSurface
 // and probeAngle would find of the same time, in the same columns (drops/DropTable.H).
 //

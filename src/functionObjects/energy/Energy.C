@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The liquid's energy over time.
 //
 //     energies { type energy; }

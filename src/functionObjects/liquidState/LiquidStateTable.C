@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The liquid as a whole over time: volume, kinetic energy, largest speed, centroid, momentum, density error; the rms speed
 // of its particles, and that over the capillary speed sqrt(sigma/(rho R)), R the radius of a sphere of the liquid's volume
 // (not a number without tension).

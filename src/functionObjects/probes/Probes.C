@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Values of the liquid at fixed points over time, interpolated by the kernel (Shepard 1968):
 //
 //     A(x) = sum_j (m_j/rho_j) A_j W(|x - x_j|) / sum_j (m_j/rho_j) W(|x - x_j|)

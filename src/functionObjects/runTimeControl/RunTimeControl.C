@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ends the run when a condition on what other function objects measure is satisfied, as in OpenFOAM.
 //
 //     untilRest

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How far the liquid has spread on each wall.
 //
 //     spread

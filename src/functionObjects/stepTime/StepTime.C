@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Wall-clock time of each step, without what is written between steps.
 //
 //     timing { type stepTime; }

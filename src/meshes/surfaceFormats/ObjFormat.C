@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // obj: Wavefront's text format, vertices (v) and their normals (vn), counted from 1.
 
 #include "core/fieldFile/AtomicFile.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ply: binary, vertices with normals (meshes/PlyFile.H). What probeAngle, shizukuToVTK and renderCase read.
 
 #include "meshes/PlyFile.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // stl: binary, little-endian: 80 bytes of text, the number of facets, and for each its normal, three vertices and two bytes
 // of no meaning. Vertices are repeated in every facet, their normals are lost.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The application as a user runs it: what it prints, what it leaves in the file, how it fails.
 
 #include "support/Programs.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // runCases on folders whose commands are short lines of sh: what it runs, leaves out, survives and refuses.
 
 #include "support/Process.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // speedAccuracy and stabilityMap on cases whose commands are short scripts: records, resuming, deaths, charts, refusals.
 
 #include "core/fieldFile/CsvTable.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What compareReference takes from probeAngle's table: which drop of which times, and how films and drops off the wall count.
 
 #include "DropCase.H"

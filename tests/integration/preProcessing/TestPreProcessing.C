@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The built sampleSurface, sampleTheta and fillLiquid on small cases: what they write, and how they refuse bad input.
 
 #include "caseFiles/SolidParticles.H"

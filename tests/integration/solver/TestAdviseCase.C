@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // adviseCase says what a case needs, predicts what the solver then needs, and changes the case only when it is told to.
 
 #include "SolverCase.H"

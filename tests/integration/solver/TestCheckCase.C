@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // checkCase says what the solver would say, all of it at once, and measures what the case holds.
 
 #include "SolverCase.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The CPU and the GPU compute the same: one step of the solver and a mesh, each to the rounding of floats.
 
 #include "SolverCase.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // meshSurface on blocks of liquid, and how it refuses bad input.
 
 #include "SolverCase.H"

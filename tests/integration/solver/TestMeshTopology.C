@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // meshSurface's meshes as another library sees them: CGAL.
 
 #include "SolverCase.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The solver in single and in double precision: the same flow to the rounding of floats, and what cannot be had is refused.
 
 #include "SolverCase.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Dictionaries that are edited while the solver runs.
 
 #include "SolverCase.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A run goes on from each time that it has written to the same last state, end and tables as if it had never stopped: with sub-steps whose
 // number varies, models beyond the sets' own, and function objects of each kind.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Function objects of a run: where their tables go, and what needs the solver to be measured.
 
 #include "SolverCase.H"

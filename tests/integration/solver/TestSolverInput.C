@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bad input: what is wrong, where it stands, what would be right; and nothing half-written is left.
 
 #include "SolverCase.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs that are stopped, killed or cut off in the middle of a write continue to the same bits as one that is not.
 
 #include "SolverCase.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // SIGINT and SIGTERM end a run after the present step, with all written.
 
 #include "SolverCase.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sub-steps and their limits, controlDict changed while the solver runs, and the options of the command line.
 
 #include "SolverCase.H"

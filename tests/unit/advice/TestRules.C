@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Each rule turns where a formula of its own, written out here, says so: just below and just above the tolerance.
 
 #include "advice/Rule.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a call takes is what its process lives, by the median; a program that fails says why.
 
 #include "advice/TimedCall.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/arguments/Arguments.H"
 #include "core/arguments/runApplication.H"
 #include "support/ScratchFolder.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/Algorithms.H"
 #include "support/PointSets.H"
 #include "support/ScratchFolder.H"

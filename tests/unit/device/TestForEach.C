@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/Algorithms.H"
 #include "device/Buffer.H"
 #include "device/Device.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the profile counts and calls things.
 
 #include "device/Profile.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Words that are read while the device goes on.
 
 #include "device/Readback.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "drops/Drops.H"
 #include "caseFiles/WallPlane.H"
 #include "support/CapMesh.H"

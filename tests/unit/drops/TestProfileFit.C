@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "drops/ProfileFit.H"
 #include "support/CapMesh.H"
 #include "support/DropMeshes.H"

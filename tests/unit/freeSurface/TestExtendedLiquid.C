@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of the liquid's extension into a wall against sums over the wedge in double precision.
 
 #include "freeSurface/ExtendedLiquid.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The free surface of lattices whose surface is known.
 
 #include "freeSurface/FreeSurface.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Function objects that look at a drop as a whole, on half a ball of liquid that stands on a plane.
 
 #include "functionObjects/FunctionObjects.H"

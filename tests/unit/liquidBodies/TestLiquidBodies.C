@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "liquidBodies/CloseBoxes.H"
 #include "liquidBodies/LiquidChecks.H"
 #include "support/ScratchFolder.H"

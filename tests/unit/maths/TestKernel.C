@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // All kernels by one set of tests; values are computed on the device. A new kernel is one more type in the list and its
 // formula in support/ReferenceKernels.H.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A deviator in four words.
 
 #include "maths/PackedDeviator.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Invariants of a symmetric tensor.
 
 #include "maths/SymmTensor.H"

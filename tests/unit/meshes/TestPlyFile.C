@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/messages/Error.H"
 #include "meshes/PlyFile.H"
 #include "support/CapMesh.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The mesh of pictures: bumps go, the body and its edges stay.
 #include "core/angles/Degrees.H"
 #include "meshes/SmoothMesh.H"

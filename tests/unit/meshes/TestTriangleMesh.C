@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshes/MeshTopology.H"
 #include "meshes/PointsInside.H"
 #include "meshes/TriangleMesh.H"

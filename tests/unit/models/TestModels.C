@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Run-time selection of the models, and that a model which is off costs nothing.
 
 #include "models/Models.H"

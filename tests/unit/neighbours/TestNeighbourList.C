@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The neighbour lists against all pairs.
 
 #include "neighbours/NeighbourList.H"

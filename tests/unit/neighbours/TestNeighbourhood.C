@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The liquid's neighbours within two supports against all pairs.
 
 #include "neighbours/Neighbourhood.H"

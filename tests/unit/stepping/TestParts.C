@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A liquid that is cut into parts moves to the same bits as the whole, step by step: particles go from part to part, ghosts have what their owners computed, and
 // sums of all parts do not depend on the cut.
 

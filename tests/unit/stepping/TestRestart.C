@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A run goes on from what it has written, and from what it holds when models change, to the same bits: for every set of models of the ladder.
 
 #include "models/density/Density.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The Pareto front of points with numbers one can check by eye.
 
 #include "study/ParetoFront.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Why a run has died: what is taken from a log.
 
 #include "study/RunReason.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Each class of stabilityMap, reached by numbers on its side of the rule's limit.
 
 #include "study/Stability.H"

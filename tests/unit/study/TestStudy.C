@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Studies: the grid, the cases that are made of it, and what is refused.
 
 #include "study/Gnuplot.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a pencil of normals holds, against bodies that are made of them.
 
 #include "surface/Pencil.H"

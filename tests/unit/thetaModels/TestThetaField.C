@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "thetaModels/ThetaField.H"
 #include "support/ScratchFolder.H"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Contact angles out of pictures, and the reading of those.
 
 #include "support/ScratchFolder.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Everything is read back by other programs' readers: VTK's for .vtp, Boost's for the XML and JSON of the animations.
 // Appended .vtp files are decoded here (AppendedVtp.H), because not every VTK reads them.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of half-spaces against integration over cylindrical shells, which knows nothing of spherical caps.
 
 #include "walls/HalfSpace.H"

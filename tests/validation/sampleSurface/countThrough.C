@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How many liquid particles of a case's last time are behind a surface that its solid particles were sampled from:
 //
 //     countThrough CASE SURFACE SCALE

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the surfaces of the study, whole ones and broken ones, each in one of the formats that sampleSurface reads:
 //
 //     makeSurfaces FOLDER

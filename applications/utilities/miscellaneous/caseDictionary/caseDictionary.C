@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // caseDictionary: prints and changes entries of any dictionary file.
 
 #include "core/arguments/runApplication.H"

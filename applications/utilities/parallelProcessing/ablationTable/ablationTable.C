@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ablationTable: runs a case with each of its models switched off or coarsened in turn, and tabulates what that changes of
 // its answer and of its cost.
 //

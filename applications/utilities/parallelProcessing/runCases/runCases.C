@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // runCases: runs many cases side by side on one machine, a few at a time.
 
 #include "caseRuns/CaseRuns.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // speedAccuracy: runs a study over a grid of choices and draws the error over the cost of each.
 
 #include "SpeedAccuracyChart.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // stabilityMap: runs a study over a grid of choices and maps what became of each run.
 
 #include "StabilityChart.H"

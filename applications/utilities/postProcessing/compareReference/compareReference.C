@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares the results of a case with what theory or experiment say they should be.
 
 #include "Comparison.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // meshSurface: the liquid's surface of each time as a closed triangle mesh, <time>/surface/liquid.<format>.
 
 #include "MeshTimes.H"

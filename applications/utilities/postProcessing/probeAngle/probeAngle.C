@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Measures the apparent contact angle of every separate drop on a wall, from the meshes of meshSurface.
 
 #include "caseFiles/LiquidFiles.H"

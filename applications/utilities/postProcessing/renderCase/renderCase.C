@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Renders a time of a case off screen: the liquid's surface as water, or its particles, on their wall.
 
 #include "AngleCaption.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Says which models, spacing and step a case needs for a tolerance that the user gives, and what the run would cost.
 
 #include "CaseForecast.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a case as the solver does, and says everything that is wrong with it and what it would cost; writes nothing.
 
 #include "Findings.H"

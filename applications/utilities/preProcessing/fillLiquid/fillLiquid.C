@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fills bodies with liquid particles: system/fillLiquidDict -> 0/liquid/{positions,U}.
 
 #include "caseFiles/LiquidFiles.H"

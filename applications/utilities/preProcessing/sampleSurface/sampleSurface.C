@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Puts solid particles onto the walls of type particles: constant/triSurface -> constant/solid.
 
 #include "LoadSurface.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Gives every solid particle its contact angle: constant/wettability -> 0/solid/theta.
 
 #include "core/arguments/runApplication.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Uniform gravity from constant/g:   dimensions [0 1 -2 0 0 0 0];  value (0 0 -9.81);
 //
 //     bodyForce   gravity;

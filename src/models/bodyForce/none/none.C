@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // No force on the whole liquid.
 
 #include "models/bodyForce/BodyForce.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Moves particles inside the liquid apart that have come closer to each other than those of liquid at rest.
 //
 //     s_i = 1/2 sum_j max(a - |r_ij|, 0) r_ij/|r_ij|,    |s_i| <= d/10,    r_ij = x_i - x_j
@@ -50,7 +51,7 @@ struct PartPairs
 class ClosePairs : public ParticleShifting
 {
 public:
-    ClosePairs(const Dictionary& coeffs, Liquid& liquid, const Walls& walls, FreeSurface& surface)
+    ClosePairs(const Dictionary& coeffs, Liquid& liquid, const Walls&, FreeSurface& surface)
     :
         distance_(scalar(coeffs.lookupOr("distance", 0.95))),
         surface_(surface)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Particles stay where the step has brought them.
 
 #include "models/particleShifting/ParticleShifting.H"

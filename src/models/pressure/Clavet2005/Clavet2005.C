@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Double density relaxation: Clavet, Beaudoin and Poulin 2005, Particle-based viscoelastic fluid simulation, section 4.
 //
 //     rho_i  = sum_j (1 - r/h)^2,      rho'_i = sum_j (1 - r/h)^3                       j another particle

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Divergence-free SPH: Bender and Koschier 2015, Divergence-free smoothed particle hydrodynamics.
 //
 //     alpha_i  = rho_i / ( |sum_j m grad W_ij|^2 + sum_j |m grad W_ij|^2 )                       (9)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Predictive-corrective incompressible SPH: Solenthaler and Pajarola 2009.
 //
 //     p_i += delta (rho*_i - rho0),   rho*_i at the predicted positions                (9), in every iteration, from p = 0

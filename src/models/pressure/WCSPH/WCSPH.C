@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Weakly compressible SPH: Becker and Teschner 2007, Weakly compressible SPH for free surface flows.
 //
 //     p_i = B ((rho_i/rho0)^7 - 1),   B = rho0 c^2/7                                   Tait's equation

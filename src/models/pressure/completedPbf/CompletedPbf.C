@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Position based fluids with the density completed where neighbours are missing: at the free surface and at walls.
 //
 // The density of Macklin and Mueller 2013 reads a particle at the free surface as diluted and packs it until the drop has
@@ -154,7 +155,7 @@ struct Displace
 class CompletedPbf : public Pressure
 {
 public:
-    CompletedPbf(const Dictionary& controls, Liquid& liquid, const Walls& walls, FreeSurface& surface)
+    CompletedPbf(const Dictionary& controls, Liquid& liquid, const Walls&, FreeSurface& surface)
     :
         controls_(PressureControls::read(controls, liquid)),
         ordering_(scalar(controls.lookupOr("ordering", 1.2))),

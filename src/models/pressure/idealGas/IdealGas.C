@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The gas of Mueller, Charypar and Gross 2003, Particle-based fluid simulation for interactive applications.
 //
 //     p_i = k (rho_i - rho0)                                                            (12)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // No pressure: particles fly freely.
 
 #include "models/pressure/Pressure.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Position based fluids: Macklin and Mueller 2013 with solid particles as in Fujisawa et al. 2014.
 //
 //     C_i  = rho_i/rho0 - 1                                                                          (4)

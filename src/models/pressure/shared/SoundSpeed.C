@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/pressure/shared/SoundSpeed.H"
 
 #include "models/pressure/shared/IterationControls.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Akinci, Akinci and Teschner 2013, Versatile surface tension and adhesion for SPH fluids: cohesion and area
 // minimisation among liquid particles; solids do not touch the normals.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cohesion of Becker and Teschner 2007, Weakly compressible SPH for free surface flows: attraction in proportion to the
 // kernel, which minimises curvature without computing it.
 //

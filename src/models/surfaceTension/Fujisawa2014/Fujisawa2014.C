@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fujisawa, Imai and Mikawa 2014, Fluid-solid interaction simulation using inter-particle potential force: as Akinci et
 // al. 2013, with the solids' share A(theta) = 1 + cos theta in the normals, equations (22) and (23).
 //

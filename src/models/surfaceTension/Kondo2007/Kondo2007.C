@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Kondo, Koshizuka, Suzuki and Takimoto 2007, Surface tension model using inter-particle force in particle method: a
 // potential between particles, which the solid has too.
 //

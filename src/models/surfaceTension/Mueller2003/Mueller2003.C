@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Mueller, Charypar and Gross 2003, Particle-based fluid simulation for interactive applications: curvature from the
 // smoothed colour field.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tartakovsky and Meakin 2005, Modeling of surface tension and contact angles with smoothed particle hydrodynamics: a
 // pairwise force that repels near by and attracts from afar.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Continuum surface force (Brackbill, Kothe and Zemach 1992) on the free surface of FreeSurface.H, with walls as the
 // liquid's extension at the contact angle.
 //

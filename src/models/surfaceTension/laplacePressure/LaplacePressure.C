@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tension as what it is to the liquid: Laplace's pressure sigma kappa on its free surface, which the half-space that is missing there
 // transmits as the density's kernel would.
 //

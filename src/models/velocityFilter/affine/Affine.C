@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Takes out of each pair's difference of velocities what a flow that is linear around both does not have.
 //
 //     u_i += c sum_j V W_ij [ (f_i + f_j)/2 (u_j - u_i) - (f_i B_i + f_j B_j)/2 (x_j - x_i) ]

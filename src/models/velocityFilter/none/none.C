@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Velocities stay what the step has made them.
 
 #include "models/velocityFilter/VelocityFilter.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // XSPH: velocities drift towards their neighbours' mean (Monaghan 1989; Macklin and Mueller 2013, equation (17)).
 //
 //     u_i += c [ sum_j V (u_j - u_i) W_ij - u_i (walls) ]

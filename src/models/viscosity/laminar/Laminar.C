@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Newtonian viscosity nu of constant/liquidProperties: the Laplacian of Morris, Fox and Zhu 1997.
 //
 //     du_i/dt = sum_j 2 nu V (x_ij . grad W_ij)/(r^2 + 0.01 h^2) (u_i - u_j)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The viscosity nu of constant/liquidProperties, as a Newtonian liquid has it: du/dt = div(2 nu D), with a free surface that bears no stress and walls that
 // hold the liquid.
 //

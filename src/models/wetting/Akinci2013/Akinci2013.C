@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Adhesion of Akinci et al. 2013: solids pull, and pull only; the shape of the surface does not enter.
 //
 //     a_ik = -beta rho0 V_k A(r) r_ik/r,   A(r) = 0.007/h^3.25 (-4 r^2/h + 6 r - 2 h)^(1/4)   for h/2 < r <= h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Solids attract as the liquid does, times a ratio that follows from the contact angle: Young's law, where the work of
 // separation goes with the force between particles (Kondo et al. 2007; Tartakovsky and Meakin 2005).
 //
@@ -18,7 +19,7 @@ namespace
 class AdhesionRatio : public Wetting
 {
 public:
-    AdhesionRatio(const Dictionary& coeffs, Liquid&, const Walls& walls, const SurfaceTension& tension)
+    AdhesionRatio(const Dictionary& coeffs, Liquid&, const Walls&, const SurfaceTension& tension)
     :
         attraction_(tension.pairAttraction())
     {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The contact angle steers the pair force of solids: Fujisawa et al. 2014, equations (20), (21), (30).
 //
 //     gamma_LS = gamma (1 + cos theta)/2
@@ -93,7 +94,7 @@ struct WallPairForce
 class ContactAngle : public Wetting
 {
 public:
-    ContactAngle(const Dictionary& coeffs, Liquid& liquid, const Walls& walls, const SurfaceTension& tension)
+    ContactAngle(const Dictionary& coeffs, Liquid& liquid, const Walls&, const SurfaceTension& tension)
     :
         gamma_(requirePairCoefficients(tension, coeffs)),
         solidNormal_(coeffs.lookupChoiceOr("solidNormal", {"SPH", "wall", "zero"}, "SPH")),

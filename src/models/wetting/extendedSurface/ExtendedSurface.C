@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The liquid's surface goes on into the walls at the contact angle: what continuumSurfaceForce, laplacePressure and completedPbf sum
 // over the walls follows from theta (freeSurface/ExtendedLiquid.H). Without it (wetting none) it meets them at 90 degrees.
 //
@@ -15,7 +16,7 @@ namespace
 class ExtendedSurface : public Wetting
 {
 public:
-    ExtendedSurface(const Dictionary& coeffs, Liquid&, const Walls& walls, const SurfaceTension& tension)
+    ExtendedSurface(const Dictionary& coeffs, Liquid&, const Walls&, const SurfaceTension& tension)
     {
         if (!tension.freeSurface())
         {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Walls neither attract nor repel.
 
 #include "models/wetting/Wetting.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Edits change the bytes of their entry and no others.
 
 #include "core/dictionary/DictionaryEditor.H"

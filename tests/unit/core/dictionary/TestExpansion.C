@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Macros, directives and arithmetic.
 
 #include "core/dictionary/CalcExpression.H"

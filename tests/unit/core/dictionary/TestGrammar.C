@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The grammar: what is read, and what is refused with which line.
 
 #include "core/dictionary/Dictionary.H"

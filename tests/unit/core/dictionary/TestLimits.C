@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Input that would take the stack, minutes or gigabytes is refused by the name of the limit; what is long but plain is read.
 
 #include "core/dictionary/Dictionary.H"

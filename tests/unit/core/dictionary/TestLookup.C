@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lookups: types, dimensions, choices, patterns, what is asked for and not there.
 
 #include "core/dictionary/Dictionary.H"

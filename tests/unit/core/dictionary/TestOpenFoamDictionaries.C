@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The constructs of OpenFOAM's tutorials, each dictionary in the manner of its kind.
 
 #include "core/dictionary/Dictionary.H"

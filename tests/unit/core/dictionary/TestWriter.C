@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Written dictionaries read back as the same; JSON.
 
 #include "core/dictionary/DictionaryExpansion.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What displacements move and turn the liquid as a whole, along and about what no wall holds.
 
 #include "models/forces/RigidMotion.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pairs push each other alike: pressure moves momentum between particles and makes none.
 
 #include "support/PressureReference.H"

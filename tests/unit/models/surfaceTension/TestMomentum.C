@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Central forces are equal and opposite; the curvature of the colour field has no such pairs.
 
 #include "support/PairForceMeter.H"

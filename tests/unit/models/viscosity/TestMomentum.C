@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Viscosity moves momentum between particles and makes none.
 
 #include "models/viscosity/Viscosity.H"

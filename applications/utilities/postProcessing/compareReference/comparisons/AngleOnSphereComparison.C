@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type angleOnSphere;  theta 60;  within 3;
 // The angles at which the largest drop meets a curved solid without gravity, as probeAngle measured them at the latest time,
 // against theta [degrees]: that of its cap, and for information the mean along the contact line. nan where the two do not

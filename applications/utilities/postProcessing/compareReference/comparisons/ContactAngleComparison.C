@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type contactAngle;  theta 60;  [within 3;]  [times 3;]
 // The apparent angle that probeAngle measured, mean of the last `times` written times, against theta [degrees]; what
 // the angle changed over those times; contact radius and height against the spherical cap of the liquid's volume, for

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type damBreak;  width 57.15e-3;  within 5;
 // The front of a column of water of that width [m] that collapses along x from x = 0, against Martin and Moyce 1952, in
 // percent: the rms of the relative difference at their times within the run, up to where they stand four widths out; with the run begun

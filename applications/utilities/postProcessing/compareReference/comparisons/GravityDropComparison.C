@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type gravityDrop;  theta 60;  within 2;
 // Height and contact radius of a drop on the wall z = 0 under gravity against the profile of Bashforth and Adams of its
 // volume, in percent, and the surface tension by the profile that fits it best, which is asked of drops that are as large

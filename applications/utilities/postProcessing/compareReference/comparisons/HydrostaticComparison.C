@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type hydrostatic;  area 4e-4;  within 2;
 // Liquid at rest in an upright tank of that section [m2], standing on z = 0, in percent of rho g H: the field p [Pa] of the
 // latest time against rho g (H - z). p of a single particle carries what its neighbours' disorder makes of it, so the profile

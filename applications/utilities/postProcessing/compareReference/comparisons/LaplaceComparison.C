@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type laplace;  within 2;
 // The pressure inside of a free drop against Laplace's jump 2 sigma/R, in percent: the mean of the field p [Pa] over the
 // particles within 0.6 R of the drop's centre, over the written times of the second half of the run. Not measured (nan)

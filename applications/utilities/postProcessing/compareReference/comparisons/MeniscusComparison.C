@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type meniscus;  radius 2e-3;  theta 30;  within 0.5;
 // The surface in an upright tube about the z axis, standing on the floor z = 0, against that of Young and Laplace with
 // the liquid's volume below it: the largest deviation in height, in spacings, over rings half a spacing wide up to 1.5

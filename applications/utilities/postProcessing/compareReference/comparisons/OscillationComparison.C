@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type oscillation;  within 2;  dampingWithin 20;
 // The period in which a free drop swings in mode 2 against that of a drop of its viscosity, in percent; so its damping, for information where
 // dampingWithin is left out. The swing is read off the particles' second moments along z and across,

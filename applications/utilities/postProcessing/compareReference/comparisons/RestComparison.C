@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type rest;  within 1e-3;
 // Whether the liquid has come to rest: over the last tenth of the run, but no more than its last ten capillary times R/v_c, the
 // rms speed of its particles and the speed of its centroid (a straight line through its path), both over the capillary speed

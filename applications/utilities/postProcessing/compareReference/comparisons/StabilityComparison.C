@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type stability;  [theta 60;]
 // What tells a calm run from one that went wrong, at the latest time; nothing of it is judged here:
 //     particles that are no numbers

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // type volume;  within 0.5;
 // The liquid's volume at the end against the volume of its particles, N d^3, by two measures that do not know of each
 // other: the closed surface mesh, and the crowding of the particles (liquidState's sum of V/max(rho/rho0, 1)); and the

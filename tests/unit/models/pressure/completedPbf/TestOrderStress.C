@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/ForEach.H"
 #include "models/pressure/completedPbf/OrderStress.H"
 #include "support/PressureReference.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A pressure that changes along a plane, as the outermost layer of a lattice feels it.
 
 #include "models/pressure/completedPbf/TangentialGradient.H"

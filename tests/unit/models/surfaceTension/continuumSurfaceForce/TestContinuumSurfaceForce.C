@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The surface's force on lattices whose curvature is known.
 
 #include "models/forces/RigidMotion.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The curvature on lattices, free and on walls.
 
 #include "models/surfaceTension/surfaceCurvature/RegressedCurvature.H"

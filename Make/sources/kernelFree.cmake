@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Those of device.cmake that launch no kernel: nvcc would take four times as long for them as the host's compiler, which compiles them for
+# every backend. What launches one and stands here does not compile (device/cuda/NoKernels.H).
+set(SHIZUKU_KERNEL_FREE_SOURCES
+    device/Memory.C
+    device/ProfileTable.C
+    particles/Units.C
+    particles/Liquid.C
+    neighbours/Neighbourhood.C
+    neighbours/RowCut.C
+    parallel/PartsOfProcess.C
+    walls/HalfSpace.C
+    maths/CohesionSpline.C
+    models/Models.C
+    models/forces/InterParticleForces.C
+    models/pressure/Pressure.C
+    models/pressure/none/none.C
+    models/pressure/shared/IterationControls.C
+    models/pressure/shared/PressureControls.C
+    models/pressure/shared/SoundSpeed.C
+    models/surfaceTension/SurfaceTension.C
+    models/surfaceTension/none/none.C
+    models/surfaceTension/pairForce/PairForce.C
+    models/surfaceTension/continuumSurfaceForce/SurfaceLayer.C
+    models/surfaceTension/surfaceCurvature/SurfaceCurvature.C
+    models/surfaceTension/Akinci2013/Akinci2013.C
+    models/surfaceTension/Fujisawa2014/Fujisawa2014.C
+    models/wetting/Wetting.C
+    models/wetting/none/none.C
+    models/wetting/adhesionRatio/AdhesionRatio.C
+    models/wetting/extendedSurface/ExtendedSurface.C
+    models/particleShifting/ParticleShifting.C
+    models/particleShifting/none/none.C
+    models/viscosity/Viscosity.C
+    models/viscosity/none/none.C
+    models/velocityFilter/VelocityFilter.C
+    models/velocityFilter/none/none.C
+    models/bodyForce/BodyForce.C
+    models/bodyForce/none/none.C
+    models/bodyForce/gravity/Gravity.C
+    surface/MarchingCubesTable.C
+    surface/CaseSurface.C
+    stepping/DryRun.C
+    stepping/StepControl.C
+    stepping/CaseSetup.C
+    stepping/SubStep.C
+    stepping/TimeStep.C
+    functionObjects/FlowView.C
+    functionObjects/FunctionControl.C
+    functionObjects/contactAngle/ContactAngleTable.C
+    functionObjects/energy/Energy.C
+    functionObjects/liquidState/LiquidStateTable.C
+    functionObjects/runTimeControl/RunTimeControl.C
+    functionObjects/spreadDiameter/SpreadDiameter.C
+    functionObjects/stepTime/StepTime.C
+    functionObjects/volume/Volume.C
+)
