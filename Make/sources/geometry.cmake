@@ -70,9 +70,11 @@ set(SHIZUKU_SAMPLING_SOURCES
     sampling/PlanarLattice.C
     sampling/PoissonDisk.C
     sampling/ShellUnion.C
+    sampling/Slivers.C
     sampling/SurfaceDistance.C
     sampling/SurfaceFile.C
     sampling/SurfaceGeometry.C
     sampling/SurfaceRepair.C
     sampling/SurfaceSampler.C
+    sampling/ThinSolid.C
 )
