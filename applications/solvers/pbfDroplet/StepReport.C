@@ -42,6 +42,22 @@ void warnOfResolution(FlowView& flow)
     }
 }
 
+bool needsCalmSteps(FlowView& flow, const StepControl& control)
+{
+    constexpr std::size_t small = 20, most = 100000;        // particles: of a body, of liquid that may be all small bodies
+    const std::vector<Vector3>& positions = flow.positions();
+    if (positions.size() > most) return false;
+    const std::vector<SeparateBody> bodies =
+        separateBodies(positions, std::vector<Vector3>(positions.size()), flow.properties().spacing);
+    if (bodies.empty() || bodies.front().particles.size() > small) return false;
+    if (control.maxCapillaryCo() > calmCapillaryCo)
+    {
+        std::cout << "No body of liquid has more than " << small << " particles: steps are limited as by maxCapillaryCo "
+                  << calmCapillaryCo << " instead of " << control.maxCapillaryCo() << ", so that none bursts\n";
+    }
+    return true;
+}
+
 void warnOfOtherSolid(const Time& time, const Walls& walls)
 {
     if (walls.particles() == 0) return;

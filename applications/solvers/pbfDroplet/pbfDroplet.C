@@ -56,6 +56,8 @@ void pbfDroplet(const Arguments& args)
     if (time.index() == 0) warnOfResolution(flow);
     warnOfOtherSolid(time, walls);
     functions.modelsMade(flow);
+    const bool calm = needsCalmSteps(flow, control);
+    if (calm) control.capCapillary(calmCapillaryCo);
     SpeedMeter meter;
     Speeds speeds = meter.measure(liquid);
     std::cout << "Liquid particles " << liquid.owned() << ", solid particles " << walls.particles()
@@ -76,7 +78,11 @@ void pbfDroplet(const Arguments& args)
     BackgroundWriter writer;
     while (time.running())
     {
-        if (time.readIfModified()) control = StepControl(time.controlDict());
+        if (time.readIfModified())
+        {
+            control = StepControl(time.controlDict());
+            if (calm) control.capCapillary(calmCapillaryCo);
+        }
         if (changes.apply(time, liquid, walls, models))
         {
             subStep.beginAnew();
