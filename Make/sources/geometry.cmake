@@ -5,6 +5,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     caseFiles/LiquidFiles.C
     caseFiles/SampledWall.C
     caseFiles/SolidParticles.C
+    caseFiles/SolidSides.C
     caseFiles/UnitVector.C
     caseFiles/WallPlane.C
     caseFiles/WallShape.C
