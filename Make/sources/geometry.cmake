@@ -6,6 +6,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     caseFiles/LiquidFiles.C
     caseFiles/SampledWall.C
     caseFiles/SolidParticles.C
+    caseFiles/SolidSides.C
     caseFiles/UnitVector.C
     caseFiles/WallPlane.C
     caseFiles/WallShape.C
@@ -71,9 +72,11 @@ set(SHIZUKU_SAMPLING_SOURCES
     sampling/PlanarLattice.C
     sampling/PoissonDisk.C
     sampling/ShellUnion.C
+    sampling/Slivers.C
     sampling/SurfaceDistance.C
     sampling/SurfaceFile.C
     sampling/SurfaceGeometry.C
     sampling/SurfaceRepair.C
     sampling/SurfaceSampler.C
+    sampling/ThinSolid.C
 )

@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -46,6 +47,33 @@ std::vector<std::string> environmentWith(const std::map<std::string, std::string
     return result;
 }
 
+// Waits for the end of who holds the lifeline's other end; where no word came before, ends the group. Only system calls.
+[[noreturn]] void guard(int lifeline, pid_t group)
+{
+    ::setpgid(0, group);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);
+    char word = 0;
+    ssize_t count = 0;
+    while ((count = ::read(lifeline, &word, 1)) < 0 && errno == EINTR) {}
+    if (count > 0) ::_exit(0);
+    ::kill(-group, SIGTERM);
+    ::sleep(5);
+    ::kill(-group, SIGKILL);
+    ::_exit(0);
+}
+
+// Its id; -1 where none can be started, which leaves the case unguarded.
+pid_t startGuard(const int (&lifeline)[2], pid_t group)
+{
+    const pid_t id = ::fork();
+    if (id != 0) return id;
+    const int nothing = ::open("/dev/null", O_RDWR);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nothing, stream);
+    ::dup2(lifeline[0], 3);
+    ::close_range(4, ~0u, 0);
+    guard(3, group);
+}
+
 }
 
 RunningCase::RunningCase
@@ -78,6 +106,22 @@ RunningCase::RunningCase
     ::close(log);
     if (id_ < 0) throw FatalError(std::string("Cannot start another process: ") + std::strerror(errno));
     ::setpgid(id_, id_);        // here too: whoever comes first
+    int lifeline[2];
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, lifeline) != 0) return;
+    guard_ = startGuard(lifeline, id_);
+    ::close(lifeline[0]);
+    lifeline_ = lifeline[1];
+}
+
+void RunningCase::dismissGuard()
+{
+    if (lifeline_ >= 0)
+    {
+        ::send(lifeline_, "", 1, MSG_NOSIGNAL);     // a guard that was killed with the case hears nothing
+        ::close(lifeline_);
+    }
+    if (guard_ > 0) ::waitpid(guard_, nullptr, 0);
+    lifeline_ = guard_ = -1;
 }
 
 RunningCase::~RunningCase()
@@ -99,6 +143,7 @@ bool RunningCase::ended()
     int status = 0;
     if (ended_ || ::waitpid(id_, &status, WNOHANG) != id_) return ended_;
     ended_ = true;
+    dismissGuard();
     end_ = Clock::now();
     exit_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
     return true;
@@ -123,6 +168,7 @@ void RunningCase::stop()
     ::kill(-id_, SIGKILL);      // what is left of the group
     if (!ended_) ::waitpid(id_, nullptr, 0);
     ended_ = true;
+    dismissGuard();
 }
 
 }

@@ -171,6 +171,37 @@ void summarise(ContactAngle& result, const WallShape& wall, const Vector3& direc
     result.receding = back->angle;
 }
 
+// Whether the drop touches the wall from several sides that look at each other, as between two plates or in a corner: where it touches,
+// normals differ by more than 80 degrees, and one place lies well in front of the other. (Round a convex edge none does.)
+bool hasFacingSides(const TriangleMesh& drop, const std::vector<WallPoint>& wall, double above)
+{
+    constexpr double cosine = 0.17;
+    constexpr std::size_t sample = 50;
+    std::vector<std::size_t> touching;
+    for (std::size_t i = 0; i < wall.size(); ++i) if (wall[i].distance <= above) touching.push_back(i);
+    const std::size_t stride = 1 + touching.size()/sample;
+    for (std::size_t k = 0; k < touching.size(); k += stride)
+    {
+        const std::size_t i = touching[k];
+        const auto faces = [&](std::size_t j)
+        {
+            return dot(wall[i].normal, wall[j].normal) < cosine && dot(drop.vertices[j] - drop.vertices[i], wall[i].normal) > 2*above;
+        };
+        if (std::any_of(touching.begin(), touching.end(), faces)) return true;
+    }
+    return false;
+}
+
+// Whether it touches another wall, away from the neighbourhood of this one.
+bool touchesOthers(const TriangleMesh& drop, const std::vector<double>& height, const DistanceToWalls& others, double above)
+{
+    for (std::size_t i = 0; others && i < height.size(); ++i)
+    {
+        if (height[i] > 2*above && others(drop.vertices[i]) <= above) return true;
+    }
+    return false;
+}
+
 }
 
 std::string word(DropState state)
@@ -179,15 +210,16 @@ std::string word(DropState state)
     {
         case DropState::attached: return "attached";
         case DropState::detached: return "detached";
-        case DropState::film: break;
+        case DropState::film: return "film";
+        case DropState::bridge: break;
     }
-    return "film";
+    return "bridge";
 }
 
 ContactAngle measureContactAngle
 (
     const TriangleMesh& drop, const WallShape& wall, double spacing, const Vector3& direction,
-    const ContactAngleLimits& limits
+    const ContactAngleLimits& limits, const DistanceToWalls& others
 )
 {
     std::vector<WallPoint> atWall;
@@ -212,6 +244,14 @@ ContactAngle measureContactAngle
     }
 
     const double above = limits.fitAbove*spacing;
+    if (hasFacingSides(drop, atWall, above) || touchesOthers(drop, height, others, above))
+    {
+        result.state = DropState::bridge;
+        result.line = contactLine(drop, height, wall, above, spacing);
+        summarise(result, wall, direction);
+        result.contactRadius = result.lineRadius;
+        return result;
+    }
     const auto sphere = *highest < limits.filmBelow*spacing ? std::nullopt : fitCap(drop, atWall, above);
     const auto cut = sphere ? cutOf(*sphere, wall, normalUnder(atWall, std::max(above, *lowest))) : std::nullopt;
     if (!cut)

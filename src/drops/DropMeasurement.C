@@ -4,10 +4,13 @@
 #include "caseFiles/CaseGravity.H"
 #include "caseFiles/UnitVector.H"
 #include "drops/ProfileFoot.H"
+#include "meshes/NearestPoint.H"
 #include "meshes/PointsInside.H"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 
 namespace shizuku
@@ -36,6 +39,28 @@ std::vector<std::vector<double>> eachOf(const KeptNumbers& state, const std::str
     return each;
 }
 
+// Solid particles lie half a spacing inside of their walls, which end with them.
+DistanceToWalls distanceToOthers(const CaseWalls& walls, const std::string& wall, double spacing)
+{
+    std::vector<AnalyticSurface> surfaces;
+    for (const AnalyticSurface& surface : walls.analytic) if (surface.name != wall) surfaces.push_back(surface);
+    std::vector<Vector3> particles;
+    for (std::size_t i = 0; i < walls.solid.positions.size(); ++i)
+    {
+        if (walls.solid.patches[walls.solid.patch[i]] != wall) particles.push_back(walls.solid.positions[i]);
+    }
+    if (surfaces.empty() && particles.empty()) return {};
+    std::shared_ptr<const NearestPoint> nearest;
+    if (!particles.empty()) nearest = std::make_shared<const NearestPoint>(particles);
+    return [=](const Vector3& x)
+    {
+        double least = std::numeric_limits<double>::infinity();
+        for (const AnalyticSurface& surface : surfaces) least = std::min(least, std::abs(surface.signedDistance(x)));
+        if (nearest) least = std::min(least, length(x - particles[(*nearest)(x)]) - 0.5*spacing);
+        return least;
+    };
+}
+
 }
 
 DropControls DropControls::read(const Dictionary& dict, const CaseWalls& walls)
@@ -57,7 +82,7 @@ DropMeasurement::DropMeasurement
 )
 :
     walls_(std::move(walls)), controls_(controls), spacing_(spacing),
-    wall_(makeWallShape(walls_, controls.wall, spacing)), prescribed_(casePath, walls_, controls.wall), case_(casePath)
+    wall_(makeWallShape(walls_, controls.wall, spacing)), prescribed_(casePath, walls_, controls.wall), others_(distanceToOthers(walls_, controls.wall, spacing)), case_(casePath)
 {}
 
 void DropMeasurement::readCase(double time, const std::vector<double>& inForce)
@@ -123,7 +148,7 @@ DropRecord DropMeasurement::measureDrop
     record.time = time;
     record.shape = measureContactAngle
     (
-        drop.surface, *wall_, spacing_, controls_.direction.value_or(gravity_), controls_.limits
+        drop.surface, *wall_, spacing_, controls_.direction.value_or(gravity_), controls_.limits, others_
     );
     record.volume = drop.volume;
     const std::vector<int> winding = windingNumbers(drop.surface, particles);

@@ -59,10 +59,15 @@ std::string report(const DropRecord& record, const std::string& wall)
     out << "Drop " << record.drop << " on " << wall << " at time " << record.time << " s: "
         << word(shape.state) << '\n';
     line("prescribed angle") << (std::isnan(record.prescribed) ? "none" : fixed(record.prescribed, 2) + " deg") << '\n';
-    if (shape.state == DropState::attached)
+    const bool cap = shape.state == DropState::attached;
+    if (cap || shape.state == DropState::bridge)
     {
-        line("measured angle") << fixed(shape.angle, 2) << " deg\n";
-        line("fit residual") << fixed(shape.residual, 3) << " spacings\n";
+        if (cap)
+        {
+            line("measured angle") << fixed(shape.angle, 2) << " deg\n";
+            line("fit residual") << fixed(shape.residual, 3) << " spacings\n";
+        }
+        else line("measured angle") << "none, for it is no cap: it touches another wall too, or this one from several sides\n";
         line("along the line");
         if (std::isnan(shape.mean)) out << "no contact line\n";
         else

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "liquidBodies/LiquidChecks.H"
 
+#include "caseFiles/SolidSides.H"
 #include "liquidBodies/CloseBoxes.H"
-#include "meshes/NearestPoint.H"
 #include "meshes/PointGrid.H"
 
 #include <algorithm>
@@ -162,15 +162,11 @@ void keepOutOfWalls(FilledBody& body, const std::vector<AnalyticSurface>& walls,
 void keepOutOfSolid(std::span<FilledBody> bodies, const SolidParticles& solid, double spacing)
 {
     if (solid.positions.empty()) return;
-    const NearestPoint nearest(solid.positions);
+    const SolidSides sides(solid, spacing);
     const auto patchBehind = [&](const Vector3& x) -> int
     {
-        const std::size_t k = nearest(x);
-        const Vector3 r = x - solid.positions[k];
-        const double height = dot(r, solid.normals[k]);
-        // Behind the layer, but not beside its border: there the nearest particle is far off to one side.
-        const bool behind = height < 0 && squaredLength(r) - height*height < spacing*spacing;
-        return behind || squaredLength(r) < solidDistance*solidDistance*spacing*spacing ? solid.patch[k] : -1;
+        const SolidSides::Place place = sides(x);
+        return place.behind || place.distance < solidDistance*spacing ? solid.patch[place.nearest] : -1;
     };
     for (FilledBody& body : bodies)
     {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/EdgeRows.H"
 
+#include <cmath>
+
 namespace shizuku
 {
 
@@ -11,12 +13,13 @@ const double sharpCosine = std::sqrt(0.75);     // 30 degrees
 constexpr double rowGap = 0.95;                 // between particles of a row, in spacings
 constexpr double leastGap = 0.75;               // in spacings
 constexpr double step = 0.05;                   // between the places that are tried, in spacings
+constexpr double same = 0.01;                   // distance of places that are one, in spacings
 
 // The row along one side of a sharp edge: its places, numbered from the edge's start.
 class Row
 {
 public:
-    Row(const ParticleLayer& layer, int face, int k, int other) : layer_(layer), face_(face)
+    Row(const ParticleLayer& layer, int face, int k, int other) : layer_(layer), face_(face), other_(other)
     {
         const SurfaceGeometry& surface = layer.surface();
         const Vector3& normal = surface.faceNormal(face);
@@ -27,22 +30,30 @@ public:
 
         // Both layers are at this distance from the edge where they meet: offset*tan(half the angle of the normals).
         const Vector3 inward = normalized(cross(normal, edge_));
-        inset_ = layer.offset()*dot(inward, otherNormal)/(1 + dot(normal, otherNormal))*inward;
-        exists = dot(inset_, inward) > 0;
+        const double inset = layer.offset()*dot(inward, otherNormal)/(1 + dot(normal, otherNormal));
+        exists = std::isfinite(inset) && inset > 0;
+        if (!exists) return;
+        inset_ = inset*inward;
+        otherInset_ = inset*normalized(cross(edge_, otherNormal));
     }
 
-    LayerParticle place(int i) const
-    {
-        return layer_.particleAt(layer_.surface().move({face_, start_ + double(i)/last*edge_}, inset_));
-    }
+    LayerParticle place(int i) const { return at(face_, i, inset_); }
+
+    // The same place, as one of the other face's layer.
+    LayerParticle placeOfOther(int i) const { return at(other_, i, otherInset_); }
 
     int last = 0;           // place
     bool exists = false;    // not where the layers do not meet
 
 private:
+    LayerParticle at(int face, int i, const Vector3& inset) const
+    {
+        return layer_.particleAt(layer_.surface().move({face, start_ + double(i)/last*edge_}, inset));
+    }
+
     const ParticleLayer& layer_;
-    int face_;
-    Vector3 start_, edge_, inset_;
+    int face_, other_;
+    Vector3 start_, edge_, inset_, otherInset_;
 };
 
 std::vector<Row> findRows(const ParticleLayer& layer)
@@ -69,12 +80,21 @@ void addEdgeRows(ParticleLayer& layer)
     const std::vector<Row> rows = findRows(layer);
     PointGrid grid = layer.grid(rowGap*layer.spacing());
     const auto isClear = [&](const LayerParticle& particle) { return layer.clear(particle); };
-    const auto add = [&](LayerParticle particle, double gap)
+    bool ofOther = false;
+    const auto add = [&](const Row& row, int i, const LayerParticle& particle, double gap)
     {
         if (grid.anyWithin(particle.position, gap*layer.spacing())) return;
-        particle.fixed = true;
-        grid.insert(particle.position);
-        layer.particles().push_back(particle);
+        LayerParticle added = particle;
+        if (ofOther)
+        {
+            // Small faces may end before the inset does: there the other face's layer is elsewhere.
+            const LayerParticle other = row.placeOfOther(i);
+            if (length(other.position - particle.position) < same*layer.spacing()) added = other;
+        }
+        ofOther = !ofOther;
+        added.fixed = true;
+        grid.insert(added.position);
+        layer.particles().push_back(added);
     };
 
     // First where rows end at another face, in a corner; every edge has two rows, which start at either end.
@@ -82,7 +102,7 @@ void addEdgeRows(ParticleLayer& layer)
     {
         int i = 0;
         while (i <= row.last && !isClear(row.place(i))) ++i;
-        if (i > 0 && i <= row.last) add(row.place(i), leastGap);
+        if (i > 0 && i <= row.last) add(row, i, row.place(i), leastGap);
     }
     for (const double gap : {rowGap, leastGap})
     {
@@ -91,7 +111,7 @@ void addEdgeRows(ParticleLayer& layer)
             for (int i = 0; i <= row.last; ++i)
             {
                 const LayerParticle particle = row.place(i);
-                if (isClear(particle)) add(particle, gap);
+                if (isClear(particle)) add(row, i, particle, gap);
             }
         }
     }

@@ -41,9 +41,22 @@ SurfaceDistance::SurfaceDistance(const TriangleMesh& mesh) : tree_(std::make_uni
 
 SurfaceDistance::~SurfaceDistance() = default;
 
-double SurfaceDistance::operator()(const Vector3& x) const
+SurfaceDistance::Nearest SurfaceDistance::operator()(const Vector3& x) const
 {
-    return std::sqrt(tree_->tree.squared_distance({x.x, x.y, x.z}));
+    const auto [at, triangle] = tree_->tree.closest_point_and_primitive({x.x, x.y, x.z});
+    const Vector3 point(at.x(), at.y(), at.z());
+    return {length(x - point), point, int(triangle - tree_->triangles.cbegin())};
+}
+
+std::optional<SurfaceDistance::Hit> SurfaceDistance::behind(const Vector3& x, const Vector3& direction, double least) const
+{
+    const Vector3 start = x + least*direction;
+    const Kernel::Ray_3 ray({start.x, start.y, start.z}, Kernel::Vector_3(direction.x, direction.y, direction.z));
+    const auto hit = tree_->tree.first_intersection(ray);
+    if (!hit) return std::nullopt;
+    const auto* point = boost::get<Kernel::Point_3>(&hit->first);
+    if (!point) return std::nullopt;            // the ray lies in the face
+    return Hit{least + std::sqrt(CGAL::squared_distance(ray.source(), *point)), int(hit->second - tree_->triangles.cbegin())};
 }
 
 }

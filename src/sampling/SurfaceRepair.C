@@ -3,6 +3,7 @@
 
 #include "core/messages/Error.H"
 #include "meshes/Bounds.H"
+#include "meshes/PointsInside.H"
 #include "sampling/CrackClosing.H"
 #include "sampling/ShellUnion.H"
 #include "sampling/SurfaceMesh.H"
@@ -10,6 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
@@ -17,7 +19,6 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <set>
 #include <sstream>
 
 namespace shizuku
@@ -49,14 +50,14 @@ std::string count(std::size_t n, const std::string& what, const std::string& don
 // The diagonal of the box around some points, m.
 double extentOf(const std::vector<Vector3>& points) { return length(boundsOf(points).size()); }
 
-// The triangle soup with shared vertices, each triangle once.
+// The triangle soup with shared vertices, each triangle once, without walls between solids that touch.
 class Cleaning
 {
 public:
     Cleaning(const PatchedSurface& input, double tolerance, std::vector<std::string>& report)
     {
         mergeVertices(input.mesh, tolerance);
-        std::set<std::array<std::size_t, 3>> seen;
+        std::map<std::array<std::size_t, 3>, std::size_t> places;       // of the first copy of each triangle
         std::size_t degenerate = 0, duplicate = 0;
         for (std::size_t f = 0; f < input.mesh.faces.size(); ++f)
         {
@@ -64,16 +65,26 @@ public:
             for (int k = 0; k < 3; ++k) face[k] = vertex_[input.mesh.faces[f][k]];
             std::array<std::size_t, 3> sorted = face;
             std::sort(sorted.begin(), sorted.end());
-            if (height(face) <= tolerance) ++degenerate;
-            else if (!seen.insert(sorted).second) ++duplicate;
-            else
+            if (height(face) <= tolerance)
+            {
+                ++degenerate;
+                continue;
+            }
+            const auto [place, isNew] = places.emplace(sorted, faces.size());
+            if (isNew)
             {
                 faces.push_back(face);
                 patch.push_back(input.patch[f]);
+                copies_.push_back(1);
             }
+            else if (++copies_[place->second] > 2) ++duplicate;
         }
+        const auto [left, pairs] = removeSharedWalls();
+        duplicate += left;
+        const std::size_t walls = 2*pairs + removeBetweenSolids(tolerance);
         if (degenerate > 0) report.push_back(count(degenerate, "degenerate triangle", "removed"));
         if (duplicate > 0) report.push_back(count(duplicate, "duplicate triangle", "removed"));
+        if (walls > 0) report.push_back(count(walls, "triangle", "between solids that touch removed"));
         if (const std::size_t n = crowdedEdges()) report.push_back(count(n, "edge", "of more than two triangles cut apart"));
     }
 
@@ -93,6 +104,116 @@ private:
             if (isNew) points.emplace_back(v.x, v.y, v.z);
             vertex_.push_back(place->second);
         }
+    }
+
+    // Pieces of triangles that are there twice. Around a wall that two solids share, each of them goes on, with a triangle of its
+    // own: both copies are inside of the whole, and go. Elsewhere the surface goes on with one triangle, or ends: one copy stays.
+    // How many triangles were left once, and how many went.
+    std::pair<std::size_t, std::size_t> removeSharedWalls()
+    {
+        using Edge = std::pair<std::size_t, std::size_t>;
+        struct Around { std::size_t once = 0; std::vector<std::size_t> twice; };
+        std::map<Edge, Around> edges;
+        const auto edgeOf = [&](std::size_t f, int k) -> Edge { return std::minmax(faces[f][k], faces[f][(k + 1) % 3]); };
+        std::vector<std::size_t> doubled;
+        for (std::size_t f = 0; f < faces.size(); ++f)
+        {
+            if (copies_[f] < 2) continue;
+            doubled.push_back(f);
+            for (int k = 0; k < 3; ++k) edges[edgeOf(f, k)].twice.push_back(f);
+        }
+        if (doubled.empty()) return {0, 0};
+        for (std::size_t f = 0; f < faces.size(); ++f)
+        {
+            if (copies_[f] >= 2) continue;
+            for (int k = 0; k < 3; ++k)
+            {
+                const auto edge = edges.find(edgeOf(f, k));
+                if (edge != edges.end()) ++edge->second.once;
+            }
+        }
+
+        std::vector<bool> seen(faces.size(), false), inside(faces.size(), false);
+        for (const std::size_t first : doubled)
+        {
+            if (seen[first]) continue;
+            std::vector<std::size_t> piece{first};
+            seen[first] = true;
+            bool even = true, bordered = false;
+            for (std::size_t at = 0; at < piece.size(); ++at)
+            {
+                for (int k = 0; k < 3; ++k)
+                {
+                    const Around& around = edges[edgeOf(piece[at], k)];
+                    even = even && around.once % 2 == 0;
+                    bordered = bordered || around.once > 0;
+                    if (around.once > 0) continue;          // walls that meet in an edge are judged each for itself
+                    for (const std::size_t next : around.twice)
+                    {
+                        if (seen[next]) continue;
+                        seen[next] = true;
+                        piece.push_back(next);
+                    }
+                }
+            }
+            if (even && bordered) for (const std::size_t f : piece) inside[f] = true;
+        }
+        const std::size_t removed = remove(inside);
+        return {doubled.size() - removed, removed};
+    }
+
+    // Walls between solids that touch where either cut them into other triangles: of closed solids that all look outwards, or all
+    // inwards, a triangle with solid on both sides is inside of the whole. How many went.
+    std::size_t removeBetweenSolids(double tolerance)
+    {
+        if (crowdedEdges() == 0 || !isBalanced()) return 0;
+        TriangleMesh mesh;
+        for (const auto& point : points) mesh.vertices.push_back(toVector(point));
+        for (const auto& face : faces) mesh.faces.push_back({int(face[0]), int(face[1]), int(face[2])});
+        const int solid = mesh.volume() > 0 ? 1 : -1;
+        const WindingNumber winding(mesh);
+        std::vector<bool> inside(faces.size(), false);
+        for (std::size_t f = 0; f < faces.size(); ++f)
+        {
+            const auto& [i, j, k] = mesh.faces[f];
+            const Vector3 &a = mesh.vertices[i], &b = mesh.vertices[j], &c = mesh.vertices[k];
+            const Vector3 centre = (a + b + c)/3, aside = tolerance*normalized(cross(b - a, c - a));
+            const int before = solid*winding(centre + aside), behind = solid*winding(centre - aside);
+            if (std::min(before, behind) < 0 || std::max(before, behind) > 1) return 0;     // solids in each other, or turned
+            inside[f] = before == behind;
+        }
+        return remove(inside);
+    }
+
+    // Whether every edge is run through as often one way as the other.
+    bool isBalanced() const
+    {
+        std::map<std::pair<std::size_t, std::size_t>, int> surplus;
+        for (const auto& face : faces)
+        {
+            for (int k = 0; k < 3; ++k)
+            {
+                const std::size_t from = face[k], to = face[(k + 1) % 3];
+                surplus[std::minmax(from, to)] += from < to ? 1 : -1;
+            }
+        }
+        return std::all_of(surplus.begin(), surplus.end(), [](const auto& edge) { return edge.second == 0; });
+    }
+
+    // Of the faces those that are marked. How many they are.
+    std::size_t remove(const std::vector<bool>& marked)
+    {
+        std::size_t kept = 0;
+        for (std::size_t f = 0; f < faces.size(); ++f)
+        {
+            if (marked[f]) continue;
+            faces[kept] = faces[f];
+            patch[kept++] = patch[f];
+        }
+        const std::size_t removed = faces.size() - kept;
+        faces.resize(kept);
+        patch.resize(kept);
+        return removed;
     }
 
     // How many edges belong to more than two triangles.
@@ -122,6 +243,7 @@ private:
     }
 
     std::vector<std::size_t> vertex_;   // of each vertex of the input
+    std::vector<int> copies_;           // of each triangle, before any is removed
 };
 
 Vector3 areaVector(const std::vector<Kernel::Point_3>& points, const std::array<std::size_t, 3>& face)
@@ -175,6 +297,18 @@ double widthOf(const Mesh& mesh, Mesh::Halfedge_index border)
     return extentOf(points);
 }
 
+// Whether a border is a flat sheet's own outline, and no hole in it: it goes around as much area as the sheet has.
+bool isOutline(const Mesh& mesh, Mesh::Halfedge_index border)
+{
+    std::vector<Vector3> points;
+    for (const auto h : CGAL::halfedges_around_face(border, mesh)) points.push_back(toVector(mesh.point(mesh.target(h))));
+    Vector3 around;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) around += 0.5*cross(points[i] - points[0], points[i + 1] - points[0]);
+    std::vector<Face> sheet;
+    PMP::connected_component(mesh.face(mesh.opposite(border)), mesh, std::back_inserter(sheet));
+    return PMP::area(sheet, mesh) < (1 + 1e-3)*length(around);
+}
+
 // Closes the small holes; the new triangles belong to the patch of a neighbour.
 void closeHoles(Mesh& mesh, RepairPatches& patch, double largest, std::vector<std::string>& report)
 {
@@ -186,7 +320,7 @@ void closeHoles(Mesh& mesh, RepairPatches& patch, double largest, std::vector<st
     {
         std::vector<Face> added;
         const double width = widthOf(mesh, border);
-        if (width < largest)
+        if (width < largest && !isOutline(mesh, border))
         {
             const int neighbourPatch = patch[mesh.face(mesh.opposite(border))];
             PMP::triangulate_hole(mesh, border, std::back_inserter(added));
@@ -202,6 +336,7 @@ void closeHoles(Mesh& mesh, RepairPatches& patch, double largest, std::vector<st
     report.push_back(count(open, "open border", done.str()));
 }
 
+// Without triangles that joining borders has left no area.
 PatchedSurface collect(const Mesh& mesh, const RepairPatches& patch, std::vector<std::string> patches)
 {
     PatchedSurface surface;
@@ -212,6 +347,8 @@ PatchedSurface collect(const Mesh& mesh, const RepairPatches& patch, std::vector
         std::array<int, 3> corners;
         int k = 0;
         for (const auto vertex : CGAL::vertices_around_face(mesh.halfedge(face), mesh)) corners[k++] = vertex.idx();
+        const auto at = [&](int corner) -> const Vector3& { return surface.mesh.vertices[corners[corner]]; };
+        if (length(cross(at(1) - at(0), at(2) - at(0))) == 0) continue;
         surface.mesh.faces.push_back(corners);
         surface.patch.push_back(patch[face]);
     }
@@ -238,6 +375,7 @@ RepairedSurface repairSurface(const PatchedSurface& input, double largestHole, c
     closeHoles(mesh, patch, std::min(largestHole, 0.5*extent), report);
     uniteShells(mesh, report);
     result.surface = collect(mesh, patchesOf(mesh), input.patches);
+    if (result.surface.mesh.faces.empty()) throw FatalInputError({file, 0}, "Every triangle of the surface is degenerate");
     auto shell = mesh.add_property_map<Face, std::size_t>("f:shell", 0).first;
     result.shells = PMP::connected_components(mesh, shell);
     result.closed = CGAL::is_closed(mesh);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/SurfaceSampler.H"
 
+#include "core/messages/Error.H"
 #include "core/messages/Progress.H"
 #include "sampling/EdgeRows.H"
 #include "sampling/LayerRelaxation.H"
@@ -43,6 +44,10 @@ SampledSurface sampleSurface
     }
     fillHoles(layer, hole*spacing, cover*spacing);
 
+    if (layer.particles().empty())
+    {
+        throw FatalError(what + ": there is no room for a particle half a spacing inside of the surface; it is too small, or too thin");
+    }
     SampledSurface result;
     result.quality = measureQuality(layer, parameters.kernel);
     result.particles.patches = surface.patches;

@@ -4,11 +4,37 @@
 namespace shizuku
 {
 
+namespace
+{
+
+constexpr double unknown = -1;
+
+}
+
 TimeStep::TimeStep(const Time& time, CaseSetup& setup, Neighbourhood& near)
 :
-    time_(time), setup_(setup), near_(near), control_(time.controlDict()),
+    time_(time), setup_(setup), near_(near), mostCapillaryCo_(setup.liquid->number("mostCapillaryCo", unknown)), control_(time.controlDict()),
     subStep_(*setup.liquid, near, *setup.walls, *setup.models), speeds_(meter_.measure(*setup.liquid))
-{}
+{
+    readControls();
+}
+
+void TimeStep::readControls()
+{
+    control_ = StepControl(time_.controlDict());
+    if (const std::optional<double> most = mostCapillaryCo()) control_.capCapillary(*most);
+}
+
+void TimeStep::limitCapillaryCo(double most)
+{
+    mostCapillaryCo_ = most;
+    readControls();
+}
+
+std::optional<double> TimeStep::mostCapillaryCo() const
+{
+    return mostCapillaryCo_ == unknown ? std::nullopt : std::optional(mostCapillaryCo_);
+}
 
 void TimeStep::settle()
 {

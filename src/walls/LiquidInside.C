@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "walls/LiquidInside.H"
 
+#include "caseFiles/SolidSides.H"
 #include "device/Reduce.H"
-#include "meshes/NearestPoint.H"
 
 #include <limits>
 
@@ -55,18 +55,13 @@ std::optional<LiquidInside> liquidInside(const Liquid& liquid, const WallSurface
 std::optional<LiquidInside> liquidInside(const Liquid& liquid, const SolidParticles& solid)
 {
     if (solid.positions.empty()) return {};
-    const NearestPoint nearest(solid.positions);
     const double d = liquid.properties().spacing;
+    const SolidSides sides(solid, d);
     const std::vector<Vector3> positions = liquid.positions();
     for (int i = 0; i < liquid.owned(); ++i)
     {
-        const Vector3& x = positions[i];
-        const std::size_t k = nearest(x);
-        const Vector3 r = x - solid.positions[k];
-        const double height = dot(r, solid.normals[k]);
-        // Behind the layer; but not beside its border, where the nearest particle is far off to one side.
-        const bool behind = height < 0 && squaredLength(r) - height * height < d * d;
-        if (behind || squaredLength(r) < 0.25 * d * d) return LiquidInside{i, int(solid.patch[k])};
+        const SolidSides::Place place = sides(positions[i]);
+        if (place.behind || place.distance < 0.5 * d) return LiquidInside{i, int(solid.patch[place.nearest])};
     }
     return {};
 }

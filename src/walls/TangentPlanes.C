@@ -63,7 +63,8 @@ struct FitPlane
             const Vec3 r = xi - solid.position[k];
             const scalar w = 1 - (squared(r) - nearest) / (4 * spacing * spacing);
             if (w <= 0 || squared(r) >= most || !isSameImage(xi, solid.position[k])) return;
-            const scalar weight = w * w;
+            const scalar inFront = fmin(fmax(dot(solid.normal[k], r) / (0.5f * spacing), 1e-3f), 1);
+            const scalar weight = inFront * w * w;
             total += weight;
             direction += weight * solid.normal[k];
             from += weight * r;

@@ -59,6 +59,23 @@ void reportStart(FlowView& flow)
               << ", analytic surfaces " << flow.walls.surfaces() << std::endl;
 }
 
+void limitStepsOfBlobs(FlowView& flow, TimeStep& step)
+{
+    constexpr std::size_t small = 20, most = 100000;        // particles: of a body, of liquid that may be all small bodies
+    constexpr double calm = 1.4;                            // maxCapillaryCo
+    if (!step.mostCapillaryCo())
+    {
+        const std::vector<Vector3>& positions = flow.positions();
+        const std::vector<SeparateBody> bodies = positions.size() > most ? std::vector<SeparateBody>()
+            : separateBodies(positions, std::vector<Vector3>(positions.size()), flow.properties().spacing);
+        const bool areSmall = !bodies.empty() && bodies.front().particles.size() <= small;
+        step.limitCapillaryCo(areSmall ? calm : TimeStep::unlimited);
+    }
+    if (*step.mostCapillaryCo() == TimeStep::unlimited) return;
+    std::cout << "No body of liquid had more than " << small << " particles: maxCapillaryCo is at most " << *step.mostCapillaryCo()
+              << ", so that none bursts\n";
+}
+
 void reportRelaxation(int rounds)
 {
     if (rounds > 0) std::cout << "The liquid overlapped itself: its particles were moved apart in " << rounds << " rounds\n";

@@ -43,6 +43,7 @@ void pbfDroplet(const Arguments& args)
     functions.modelsMade(flow);
     TimeStep step(time, setup, near);
     reportStart(flow);
+    limitStepsOfBlobs(flow, step);
     if (args.found("dry-run")) return reportDryRun(time, step.control(), liquid, *setup.walls, *setup.models, device, step.speeds().now);
 
     const CaseLock alone(args.casePath());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/arguments/Arguments.H"
 
+#include "core/arguments/Version.H"
 #include "core/messages/Error.H"
 
 #include <boost/program_options.hpp>
@@ -26,7 +27,8 @@ std::vector<Option> allOptions(const ApplicationInfo& info)
 {
     std::vector<Option> options = info.options;
     options.push_back({"case", "DIR", "Case directory instead of the current folder", ""});
-    options.push_back({"help", "", "Print this text and stop", ""});
+    options.push_back({"help", "", "Print this text and stop; so does -h", ""});
+    options.push_back({"version", "", "Print the version and stop", ""});
     std::sort
     (
         options.begin(), options.end(), [](const Option& a, const Option& b) { return a.name < b.name; }
@@ -179,7 +181,9 @@ Arguments::Arguments(int argc, const char* const* argv, const ApplicationInfo& i
     for (int i = 0; i < argc; ++i) commandLine_.append(i ? " " : "").append(quoted(argv[i]));
 
     const auto options = allOptions(info_);
-    for (const po::option& token : parse(argc, argv, options))
+    const bool asksForHelp = argc == 2 && std::string(argv[1]) == "-h";
+    const char* const help[] = {argv[0], "-help"};
+    for (const po::option& token : parse(argc, asksForHelp ? help : argv, options))
     {
         if (token.position_key >= 0)
         {
@@ -198,6 +202,11 @@ Arguments::Arguments(int argc, const char* const* argv, const ApplicationInfo& i
     if (found("help"))
     {
         std::cout << helpText(info_);
+        std::exit(EXIT_SUCCESS);
+    }
+    if (found("version"))
+    {
+        std::cout << "Shizuku " << versionText() << "\n";
         std::exit(EXIT_SUCCESS);
     }
 

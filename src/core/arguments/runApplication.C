@@ -2,12 +2,14 @@
 #include "core/arguments/runApplication.H"
 
 #include "core/arguments/StopSignals.H"
+#include "core/arguments/Version.H"
 #include "core/messages/Error.H"
 
 #include <signal.h>
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <ctime>
 #include <iomanip>
@@ -33,17 +35,10 @@ std::string hostName()
 void printBanner(const Arguments& args)
 {
     const std::time_t now = std::time(nullptr);
-    const std::string rule(78, '-');
     std::cout
-        << "/*" << rule << "*\\\n"
-        << "| Shizuku " SHIZUKU_VERSION ": position based droplets on wettable solids\n"
-        << "\\*" << rule << "*/\n"
-        << "Build  : " SHIZUKU_VERSION "-" SHIZUKU_COMMIT "\n"
-        << "Exec   : " << args.commandLine() << "\n"
-        << "Date   : " << std::put_time(std::localtime(&now), "%b %d %Y") << "\n"
-        << "Time   : " << std::put_time(std::localtime(&now), "%H:%M:%S") << "\n"
-        << "Host   : " << hostName() << "\n"
-        << "PID    : " << getpid() << "\n";
+        << "Shizuku " << versionText() << ", " << std::put_time(std::localtime(&now), "%b %d %Y %H:%M:%S") << ", host "
+        << hostName() << ", PID " << getpid() << "\n"
+        << "Exec   : " << args.commandLine() << "\n";
     if (args.info().needsCase) std::cout << "Case   : " << args.casePath().string() << "\n";
     std::cout << std::endl;
 }
@@ -73,6 +68,7 @@ int runApplication
     const std::function<void(const Arguments&)>& body, bool quiet
 )
 {
+    std::signal(SIGXFSZ, SIG_IGN);      // a file that would be too large is an error of the write, with its message
     try
     {
         const Arguments args(argc, argv, info);
@@ -99,6 +95,8 @@ int runApplication
         return fail(info, "FATAL ERROR", error.what());
     }
 }
+
+std::string versionText() { return SHIZUKU_VERSION "-" SHIZUKU_COMMIT; }
 
 double clockTime()
 {

@@ -118,7 +118,7 @@ Controls readControls(const Dictionary& dict)
       : style == "scientific" ? std::chars_format::scientific
       : std::chars_format::general;
     controls.runTimeModifiable = dict.lookupOr<bool>("runTimeModifiable", false);
-    controls.reportInterval = readInteger(dict, "reportInterval", 1, 1, std::numeric_limits<int>::max());
+    controls.reportInterval = readInteger(dict, "reportInterval", 10, 1, std::numeric_limits<int>::max());
 
     checkStepControl(dict);
     leaveToOthers(dict);

@@ -102,6 +102,18 @@ void warnOfPrecision(const Controls& controls, const Dictionary& dict)
 
 }
 
+namespace
+{
+
+// Whatever is written into a case that is not there any more would make it anew, without its dictionaries.
+void refuseRemoved(const fs::path& casePath)
+{
+    if (fs::is_directory(casePath / "system")) return;
+    throw FatalError("The case " + casePath.string() + " was removed or moved while it ran: its folder system is not there any more");
+}
+
+}
+
 Time::Time(const fs::path& casePath)
     : case_(casePath), file_(case_ / "system/controlDict"), dict_(Dictionary::read(file_.path())),
       controls_(readControls(Dictionary::read(file_.path()))), pace_("Time")
@@ -175,6 +187,7 @@ void Time::advance()
         removePartialFolders(case_);
         pace_ = Progress("Time");
     }
+    refuseRemoved(case_);
     ++state_.index;
     state_.value = state_.at(state_.index);
 }
@@ -193,6 +206,7 @@ bool Time::reportDue() const
 WriteJob Time::writing(std::function<void(const fs::path&)> fill)
 {
     const fs::path folder = path();
+    refuseRemoved(case_);
     if (folder == startFolder_)
     {
         throw FatalError("Writing would replace " + folder.string() + ", where the run started");

@@ -3,6 +3,8 @@
 #include "core/time/TimeName.H"
 
 #include <algorithm>
+#include <cstdlib>
+#include <iostream>
 #include <limits>
 #include <sstream>
 
@@ -70,11 +72,15 @@ std::vector<Option> timeSelectionOptions()
     return
     {
         {"latestTime", "", "Only the latest time", ""},
+        {"listTimes", "", "Print the times of the case that are selected, and stop", ""},
         {"time", "A[:B]", "Only the time A, or the range A:B, A: or :B; several with commas", ""},
     };
 }
 
-std::vector<TimeFolder> selectTimes(const Arguments& args)
+namespace
+{
+
+std::vector<TimeFolder> chosenTimes(const Arguments& args)
 {
     if (args.found("latestTime") && args.found("time"))
     {
@@ -93,6 +99,17 @@ std::vector<TimeFolder> selectTimes(const Arguments& args)
     }
     if (chosen.empty()) failNothing(args, "The option -time " + args.get("time") + " selects no time", folders);
     return chosen;
+}
+
+}
+
+std::vector<TimeFolder> selectTimes(const Arguments& args)
+{
+    std::vector<TimeFolder> times = chosenTimes(args);
+    if (!args.found("listTimes")) return times;
+    for (const TimeFolder& time : times) std::cout << time.name << '\n';
+    std::cout << std::flush;
+    std::exit(EXIT_SUCCESS);
 }
 
 std::vector<TimeFolder> selectTimesWith

@@ -197,7 +197,16 @@ TEST_F(RunCases, GoesOnAfterAnInterruption)
     EXPECT_EQ(read("a/log.runCases") + read("b/log.runCases") + read("c/log.runCases"), "ran\nran\nran\n");
 }
 
-TEST_F(RunCases, StartsNoCaseTwiceThatOutlivedItsRunCases)
+TEST_F(RunCases, StartsNoCaseTwice)
+{
+    writeCase("a", "true");
+    const std::string hold = "exec 9>>" + (folder_.path()/"a/log.runCases").string() + "; flock -n 9; ";
+    const Outcome outcome = run(hold + command("a -jobs 1"));
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(holds(outcome.text, {"The case is being run already"}));
+}
+
+TEST_F(RunCases, ItsCasesEndWhereItIsKilled)
 {
     // It has looked for `short` before it tells its group.
     writeCase("a", "test -e ../short || { " + groupToFile + "sleep 60; }");
@@ -206,13 +215,12 @@ TEST_F(RunCases, StartsNoCaseTwiceThatOutlivedItsRunCases)
     ASSERT_TRUE(process.runUntil([&] { return !read("a/id").empty(); })) << process.log();
     EXPECT_EQ(process.end(SIGKILL), 128 + SIGKILL);
     folder_.write("short", "");
-    Outcome outcome = call("a b -jobs 1");
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_TRUE(holds(outcome.text, {"The case is being run already", "Finished b"}));
-
-    run("kill -s KILL -- -" + read("a/id") + "; while kill -s 0 -- -" + read("a/id") + " 2>/dev/null; do sleep 0.05; done");
-    outcome = call("a b -jobs 1");
+    // Its guard ends the group; ten seconds are what it waits at most before it kills, and as much again.
+    const Outcome gone = run("for i in $(seq 200); do kill -s 0 -- -" + read("a/id") + " 2>/dev/null || exit 0; sleep 0.05; done; exit 1");
+    EXPECT_EQ(gone.status, 0);
+    const Outcome outcome = call("a b -jobs 1");
     EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"Finished a", "Finished b"}));
 }
 
 TEST_F(RunCases, RefusesBeforeItRunsAnything)

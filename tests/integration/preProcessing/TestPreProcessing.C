@@ -164,6 +164,18 @@ TEST_F(PreProcessing, casesWithoutSampledWallsNeedNothing)
     expectSuccess("fillLiquid", {"Wrote 0/liquid", "later times, up to 0.02 s", "Allclean"});
 }
 
+TEST_F(PreProcessing, aThinPlateIsRefusedWithWhatItNeeds)
+{
+    folder_.write("constant/walls", "plate { type particles; surface \"plate.off\"; }");
+    folder_.write
+    (
+        "constant/triSurface/plate.off",
+        "OFF\n8 6 0\n0 0 0\n.01 0 0\n0 .01 0\n.01 .01 0\n0 0 .0012\n.01 0 .0012\n0 .01 .0012\n.01 .01 .0012\n"
+        "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n"
+    );
+    expectRefusal("sampleSurface", {"'plate'", "0.0012 m thin", "1.2 spacings", "0.002 m", "0.0006 m", "a sheet"}, "constant/solid");
+}
+
 TEST_F(PreProcessing, otherSurfaceFormatsAreRead)
 {
     folder_.write("constant/walls", "block { type particles; surface \"block.off\"; }");
@@ -278,6 +290,9 @@ TEST_F(PreProcessing, badBodiesAreRefused)
     expectRefusal("fillLiquid", {"colour"}, output);
     fill("");
     expectRefusal("fillLiquid", {"no body"}, output);
+    // Counted before any is made: a sphere of 5 m has 5.2e11.
+    fill("drop { type sphere; centre (0 0 10); radius 5; }");
+    expectRefusal("fillLiquid", {"5.23599e+11 particles", "up to 2e+08", "0.0137823 m", "fillLiquidDict"}, output);
 }
 
 TEST_F(PreProcessing, liquidInsideASolidIsRefused)

@@ -84,7 +84,7 @@ void SolverCase::control(const std::string& more) const
     write
     (
         "system/controlDict.new",
-        "application pbfDroplet;\nstartFrom latestTime;\nendTime 4e-3;\ndeltaT 1e-3;\nwriteInterval 1;\n" + more + "\n"
+        "application pbfDroplet;\nstartFrom latestTime;\nendTime 4e-3;\ndeltaT 1e-3;\nwriteInterval 1;\nreportInterval 1;\n" + more + "\n"
     );
     fs::rename(path()/"system/controlDict.new", path()/"system/controlDict");
 }

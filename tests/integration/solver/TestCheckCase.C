@@ -186,6 +186,13 @@ TEST_P(CheckCase, coarseLiquidIsSaidByTheSolverToo)
     EXPECT_EQ(solve().text.find("WARNING"), std::string::npos);
 }
 
+TEST_P(CheckCase, aTensionInAnotherUnitIsAskedAbout)
+{
+    EXPECT_EQ(check().text.find("is that meant?"), std::string::npos);
+    write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma 72.8;\n");
+    EXPECT_TRUE(holds(check().text, {"sigma is 72.8 N/m: is that meant? Water has 0.0728 N/m"}));
+}
+
 TEST_P(CheckCase, utilitiesDictionariesAndSteps)
 {
     write("system/fillLiquidDict", "bodies { drop { type sphere; centre (0 0 0); raduis 1; } }");

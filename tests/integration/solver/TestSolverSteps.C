@@ -3,6 +3,9 @@
 
 #include "SolverCase.H"
 
+#include "caseFiles/SolidParticles.H"
+#include "core/fieldFile/FieldFile.H"
+
 #include <cmath>
 #include <numbers>
 
@@ -222,10 +225,87 @@ TEST_P(Steps, theHeaderNamesDeviceAndCase)
     (
         outcome.text,
         {
-            "Build  : ", "Host   : ", "PID    : ", "Case   : " + path().string(), "Device : " + device(), "(100 %",
+            "Shizuku ", ", host ", ", PID ", "Case   : " + path().string(), "Device : " + device(), "(100 %",
             "kinetic energy", "volume = ", "density error average", "ExecutionTime = ", "ClockTime = ", "\nEnd\n"
         }
     ));
+}
+
+TEST_P(Steps, aCaseThatIsMovedAwayEndsTheRun)
+{
+    control("endTime 10; writeInterval 1000000;");
+    Process process(command("pbfDroplet", ""), folder_.path()/"out");
+    ASSERT_TRUE(process.runUntil([&] { return process.log().find("Time = 0.002") != std::string::npos; })) << process.log();
+    std::filesystem::rename(path(), folder_.path()/"moved");
+    EXPECT_EQ(process.wait(), 1);
+    EXPECT_TRUE(holds(process.log(), {"was removed or moved while it ran"}));
+    EXPECT_FALSE(std::filesystem::exists(path()));
+}
+
+// Eight particles would burst at 2 m/s in steps of 2.8 capillary ones; all of their surface energy would give 1.7.
+TEST_P(Steps, aBlobOfFewParticlesStaysCalm)
+{
+    write("constant/walls", "");
+    write("constant/wettability", "");
+    write
+    (
+        "constant/models",
+        "pressure completedPbf;\nsurfaceTension laplacePressure;\nwetting none;\nviscosity XSPH;\nbodyForce none;\n"
+    );
+    std::vector<double> places;
+    for (int i = 0; i < 8; ++i) for (const int bit : {1, 2, 4}) places.push_back((i & bit ? 0.5 : -0.5)*spacing);
+    writeField(path()/"0/liquid/positions", {"positions", FieldType::vector, dimensions::length, false, places}, {});
+    writeField(path()/"0/liquid/U", {"U", FieldType::vector, dimensions::velocity, true, {0, 0, 0}}, {});
+    control("endTime 0.2; deltaT 1e-2; writeInterval 1000; maxCapillaryCo 2.8;");
+    const Outcome outcome = solve();
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"No body of liquid has more than 20 particles", "maxCapillaryCo 1.4 instead of 2.8"}));
+    // Its capillary speed sqrt(sigma/(rho R)), R of a sphere of 8 particles, 0.24 m/s: as fast as it may swing.
+    for (const LoggedStep& each : stepsOf(outcome.text)) EXPECT_LT(each.maxSpeed, 0.24) << each.time;
+}
+
+// Liquid that falls on a knife of 60 degrees. Planes fitted to both flanks at once would throw it off at a hundred times its speed.
+TEST_P(Steps, aSharpEdgeOfTheWallThrowsNoLiquid)
+{
+    SolidParticles solid;
+    solid.patches = {"knife"};
+    const double below = 1, step = std::sqrt(0.75), sine = 0.5, cosine = std::sqrt(0.75);     // in spacings; of half of the edge
+    for (int row = 0; row < 12; ++row)
+    {
+        for (int place = 0; place < 18; ++place)
+        {
+            const double y = place - 8.5 + 0.5*(row % 2);
+            for (const int side : {-1, 1})
+            {
+                if (row == 0 && side != (place % 2 == 0 ? -1 : 1)) continue;        // the edge's own belong to both in turn
+                const double along = step*row;
+                solid.positions.push_back(spacing*Vector3(side*along*sine, y, -0.2 - below - along*cosine));
+                solid.normals.push_back({side*cosine, 0, sine});
+            }
+        }
+    }
+    solid.patch.assign(solid.positions.size(), 0);
+    writeSolidParticles(path(), solid, {});
+    const std::vector theta(solid.positions.size(), 90.0);
+    writeField(path()/"0/solid/theta", {"theta", FieldType::scalar, dimensions::none, false, theta}, {});
+    write("constant/walls", "knife { type particles; surface \"knife.stl\"; }\n");
+    write("constant/wettability", "knife { theta 90; }\n");
+    write
+    (
+        "constant/models",
+        "pressure completedPbf;\nsurfaceTension laplacePressure;\nwetting extendedSurface;\nviscosity XSPH;\nbodyForce gravity;\n"
+    );
+    control("endTime 3e-2; writeInterval 30; maxCapillaryCo 2.8;");
+    const double speed = 0.3;
+    fill({0, 0, -speed});
+
+    const Outcome outcome = solve();
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const auto steps = stepsOf(outcome.text);
+    ASSERT_EQ(steps.size(), 30u);
+    // Its own speed, what it falls besides, and its capillary speed sqrt(sigma/(rho R)), 0.13 m/s; as much again for single particles.
+    const double most = 2*(speed + 9.81*3e-2 + 0.13);
+    for (const LoggedStep& each : steps) EXPECT_LT(each.maxSpeed, most) << each.time;
 }
 
 }

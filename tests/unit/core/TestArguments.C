@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/arguments/Arguments.H"
+#include "core/arguments/Version.H"
 #include "core/arguments/runApplication.H"
 #include "support/ScratchFolder.H"
 
@@ -138,6 +139,8 @@ TEST(Arguments, HelpNamesEveryOptionItsValueAndDefault)
         )
     );
     EXPECT_EXIT(parse({"-help", "-scale", "1"}), testing::ExitedWithCode(0), "");
+    EXPECT_EXIT(parse({"-h"}), testing::ExitedWithCode(0), "");
+    EXPECT_EXIT(parse({"-version"}), testing::ExitedWithCode(0), "");
 }
 
 TEST(RunApplication, PrintsBannerTimesAndEnd)
@@ -151,7 +154,7 @@ TEST(RunApplication, PrintsBannerTimesAndEnd)
         (
             text,
             {
-                "Build  : ", "Exec   : aTool\n", "Date   : ", "Host   : ", "PID    : " + std::to_string(getpid()),
+                "Shizuku " + versionText() + ", ", ", host ", ", PID " + std::to_string(getpid()), "Exec   : aTool\n",
                 "body\n", "ExecutionTime = ", " s  ClockTime = ", "\nEnd\n"
             }
         )

@@ -252,3 +252,68 @@ TEST(ContactAngle, TwoDropsAreToldApart)
     EXPECT_NEAR(drops[0].volume(), 1e-9, 0.02e-9);
     EXPECT_NEAR(drops[1].volume(), 2e-9, 0.04e-9);
 }
+
+// Between two plates at 60 degrees: the meridian is an arc of a circle, bent outwards from the gas, whose ends meet both walls at theta.
+TEST(ContactAngle, ABridgeHasTangentsAndNoCap)
+{
+    const double theta = 60, gap = 8*spacing, neck = 0.9e-3, radians = theta*std::numbers::pi/180;
+    const double arc = 0.5*gap/std::cos(radians);
+    const auto bridgeTo = [&](double top)
+    {
+        return marchTetrahedra
+        (
+            [&](const Vector3& p)
+            {
+                // Inside of the liquid: within the neck, out of the torus of gas around it.
+                const double outwards = std::hypot(p.x, p.y) - neck - arc, upwards = p.z - 0.5*gap;
+                return std::max({outwards, arc - std::hypot(outwards, upwards), -p.z, p.z - top});
+            },
+            {-1.5e-3, -1.51e-3, -1.3*spacing}, {1.5e-3, 1.5e-3, gap + 1.3*spacing}, 0.5*spacing
+        );
+    };
+    const auto distanceToTop = [&](const Vector3& p) { return std::abs(p.z - gap); };
+    const ContactAngle measured = measureContactAngle(bridgeTo(gap), *floorWall, spacing, {}, {}, distanceToTop);
+    EXPECT_EQ(measured.state, DropState::bridge);
+    EXPECT_EQ(word(measured.state), "bridge");
+    EXPECT_TRUE(std::isnan(measured.angle));
+    // As of an exact cap of few particles; the arc turns by 30 degrees over four spacings, so that tangents are known less well.
+    EXPECT_NEAR(measured.mean, theta, 5);
+    EXPECT_NEAR(measured.contactRadius, neck + arc*(1 - std::sin(radians)), 0.3*spacing);
+
+    // The plates as one wall.
+    AnalyticSurface slit;
+    slit.type = AnalyticSurface::Type::box;
+    slit.name = "slit";
+    slit.min = {-1, -1, 0};
+    slit.max = {1, 1, gap};
+    CaseWalls walls;
+    walls.names = {"slit"};
+    walls.analytic = {slit};
+    const ContactAngle both = measureContactAngle(bridgeTo(gap), *makeWallShape(walls, "slit", spacing), spacing);
+    EXPECT_EQ(both.state, DropState::bridge);
+    EXPECT_NEAR(both.mean, theta, 5);
+
+    // A drop on the floor of a wide box, far from its other sides, is a cap.
+    slit.max.z = 1;
+    walls.analytic = {slit};
+    EXPECT_EQ(measureContactAngle(meshOf(dropOf(2000, 60)), *makeWallShape(walls, "slit", spacing), spacing).state, DropState::attached);
+}
+
+TEST(ContactAngle, ADropInACornerHasNoCap)
+{
+    AnalyticSurface box;
+    box.type = AnalyticSurface::Type::box;
+    box.name = "box";
+    box.min = {-0.5e-3, -1, 0};
+    box.max = {1, 1, 1};
+    CaseWalls walls;
+    walls.names = {"box"};
+    walls.analytic = {box};
+    const double radius = 1e-3;
+    const TriangleMesh drop = marchTetrahedra
+    (
+        [&](const Vector3& p) { return std::max({length(p) - radius, -p.z, -0.5e-3 - p.x}); },
+        {-0.8e-3, -1.21e-3, -1.3*spacing}, {1.2e-3, 1.2e-3, 1.2e-3}, 0.5*spacing
+    );
+    EXPECT_EQ(measureContactAngle(drop, *makeWallShape(walls, "box", spacing), spacing).state, DropState::bridge);
+}

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshes/PointsInside.H"
 #include "sampling/SeedMethod.H"
+#include "sampling/Slivers.H"
 #include "sampling/SurfaceRepair.H"
 #include "sampling/SurfaceSampler.H"
+#include "sampling/ThinSolid.H"
 #include "support/ScratchFolder.H"
 #include "support/Shapes.H"
 #include "support/Surfaces.H"
@@ -10,6 +13,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace shizuku::test
 {
@@ -27,6 +31,39 @@ void expectGoodCover(const LayerQuality& quality)
 SampledSurface sample(const PatchedSurface& surface, const std::string& method = "poissonDisk", double offset = -0.5)
 {
     return sampleSurface(surface, {1, offset, method, 30, CubicSpline(2)}, "test");
+}
+
+// A wedge along y, 40 long and 20 deep, whose edge at z = 0 looks upwards.
+PatchedSurface wedge(double degrees)
+{
+    const double half = 20*std::tan(0.5*degrees*std::numbers::pi/180);
+    PatchedSurface surface;
+    for (const double y : {0.0, 40.0})
+    {
+        for (const Vector3& v : {Vector3(0, y, 0), Vector3(-half, y, -20), Vector3(half, y, -20)}) surface.mesh.vertices.push_back(v);
+    }
+    surface.mesh.faces = {{0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1}, {0, 2, 5}, {0, 5, 3}, {1, 4, 5}, {1, 5, 2}};
+    surface.patch.assign(8, 0);
+    surface.patches = {"wedge"};
+    return surface;
+}
+
+PatchedSurface plate(double thickness)
+{
+    PatchedSurface surface = cube(20);
+    for (Vector3& v : surface.mesh.vertices) v.z *= thickness/20;
+    return surface;
+}
+
+// A triangle 10 long and `height` high.
+PatchedSurface sliver(double height)
+{
+    PatchedSurface surface;
+    surface.mesh.vertices = {{0, 0, 0}, {10, 0, 0}, {6, height, 0}};
+    surface.mesh.faces = {{0, 1, 2}};
+    surface.patch = {0};
+    surface.patches = {"flat"};
+    return surface;
 }
 
 // The least distance between any two of the points, by comparing all pairs.
@@ -101,11 +138,111 @@ TEST(Sampling, cubeHasNoParticleNearerToAFaceThanItsOwn)
     }
 }
 
+// Liquid on either side of an edge has to find solid particles of its own side; one beyond the edge, outside of the solid, would hold
+// the liquid a spacing off the other side.
+TEST(Sampling, sharpEdgesBelongToBothSidesAndNothingStandsOutOfThem)
+{
+    for (const double degrees : {20.0, 30.0, 45.0, 60.0, 68.0, 90.0})
+    {
+        SCOPED_TRACE(degrees);
+        const PatchedSurface surface = wedge(degrees);
+        const SampledSurface sampled = sample(surface);
+        expectGoodCover(sampled.quality);
+        const auto& [x, n] = std::tie(sampled.particles.positions, sampled.particles.normals);
+        int left = 0, right = 0;
+        for (const int w : windingNumbers(surface.mesh, x)) ASSERT_EQ(w, 1);
+        for (std::size_t i = 0; i < x.size(); ++i)
+        {
+            // The row below the edge, where both layers meet.
+            const double depth = 0.5/std::sin(0.5*degrees*std::numbers::pi/180);
+            if (std::abs(x[i].z + depth) > 0.05 || std::abs(x[i].x) > 0.05 || std::abs(x[i].y - 20) > 18) continue;
+            ++(n[i].x < 0 ? left : right);
+        }
+        EXPECT_GT(left + right, 30);                // 36 long, a particle every 0.95 to 1.2
+        EXPECT_NEAR(left, right, 3);                // in turn, but for the ends of rows
+    }
+}
+
 TEST(Sampling, thinPlateIsCoveredByParticlesThatBothSidesShare)
 {
-    PatchedSurface plate = cube(20);
-    for (Vector3& v : plate.mesh.vertices) v.z *= 0.03;
-    expectGoodCover(sample(plate).quality);
+    expectGoodCover(sample(plate(0.6)).quality);
+}
+
+TEST(ThinSolid, platesAndRodsThinnerThanTwoSpacingsAreFound)
+{
+    for (const double thickness : {0.01, 0.3, 0.6, 1.0, 1.2, 1.7, 1.99})
+    {
+        SCOPED_TRACE(thickness);
+        const auto thin = findThinPlace(plate(thickness), 1);
+        ASSERT_TRUE(thin);
+        EXPECT_NEAR(thin->thickness, thickness, 2e-3);      // rays start 1e-3 inside
+    }
+    EXPECT_TRUE(findThinPlace(wedge(20), 1));       // the sharpest edge throws liquid
+    PatchedSurface rod = sphere(0.9, 3);
+    for (Vector3& v : rod.mesh.vertices) v.z *= 20;
+    ASSERT_TRUE(findThinPlace(rod, 1));
+}
+
+TEST(ThinSolid, blocksEdgesAndSheetsAreNotThin)
+{
+    for (const PatchedSurface& surface : {cube(12), sphere(6, 3), rectangle(20, 20), plate(2), plate(2.5), wedge(30), wedge(60)})
+    {
+        EXPECT_FALSE(findThinPlace(surface, 1)) << surface.patches.front();
+    }
+    // Two blocks with a slit of liquid of half a spacing.
+    EXPECT_FALSE(findThinPlace(joined(cube(12), moved(cube(12), Vector3(0, 0, 12.5))), 1));
+}
+
+TEST(Slivers, areLeftOutAndSaid)
+{
+    std::vector<std::string> report;
+    PatchedSurface surface = joined(rectangle(30, 30), moved(sliver(0.05), Vector3(50, 0, 0)));
+    leaveOutSlivers(surface, 1, "floor.obj", report);
+    EXPECT_EQ(surface.mesh.faces, rectangle(30, 30).mesh.faces);
+    EXPECT_EQ(surface.patch.size(), 2u);
+    ASSERT_EQ(report.size(), 1u);
+    EXPECT_TRUE(holds(report.front(), {"1 sliver ", "left out", "(50 0 0)"}));
+}
+
+TEST(Slivers, aloneTheyAreRefusedByName)
+{
+    for (const double height : {0.3, 0.05, 1e-3})
+    {
+        PatchedSurface surface = sliver(height);
+        std::vector<std::string> report;
+        EXPECT_TRUE(holds(messageOf([&] { leaveOutSlivers(surface, 1, "sliver.obj", report); }), {"sliver.obj", "0.25 m"}));
+    }
+}
+
+TEST(Slivers, aFineMeshOfSingleTrianglesStays)
+{
+    PatchedSurface soup = soupOf(sphere(3, 4));         // triangles of 0.3 spacings
+    const std::size_t faces = soup.mesh.faces.size();
+    std::vector<std::string> report;
+    leaveOutSlivers(soup, 1, "ball.stl", report);
+    EXPECT_EQ(soup.mesh.faces.size(), faces);
+    EXPECT_TRUE(report.empty());
+}
+
+// A hole as wide as the sheet would be closed by its own back: a solid without thickness, whose layers meet nowhere.
+TEST(SurfaceRepair, theOutlineOfAFlatSheetIsNoHole)
+{
+    for (const PatchedSurface& sheet : {rectangle(2, 1), sliver(1)})
+    {
+        PatchedSurface far = joined(rectangle(40, 40), moved(sheet, Vector3(0, 0, 20)));
+        const RepairedSurface repaired = repairSurface(far, 12, "sheet.obj");
+        EXPECT_EQ(repaired.surface.mesh.faces.size(), far.mesh.faces.size());
+        EXPECT_TRUE(sample(repaired.surface).quality.largestHole < 1);
+    }
+}
+
+TEST(Sampling, facesThatLieOnEachOtherHaveNoRowBetweenThem)
+{
+    PatchedSurface folded = joined(rectangle(20, 20), turnedOver(rectangle(20, 20)));
+    folded.mesh.faces[2] = {0, 2, 1};
+    folded.mesh.faces[3] = {0, 3, 2};
+    folded.mesh.vertices.resize(4);
+    for (const Vector3& x : sample(folded).particles.positions) ASSERT_TRUE(std::isfinite(squaredLength(x)));
 }
 
 TEST(Sampling, sameInputGivesTheSameParticles)
@@ -221,6 +358,45 @@ TEST(SurfaceRepair, solidsThatShareAnEdgeAreCutApartAndDoNotCross)
     EXPECT_EQ(repaired.shells, 2u);
     EXPECT_TRUE(repaired.closed);
     EXPECT_DOUBLE_EQ(repaired.surface.mesh.volume(), 128);
+}
+
+TEST(SurfaceRepair, aFaceThatTwoSolidsShareGoes)
+{
+    const auto expectOneBlock = [](const RepairedSurface& repaired, double volume, double area)
+    {
+        EXPECT_TRUE(repaired.closed);
+        EXPECT_EQ(repaired.shells, 1u);
+        EXPECT_DOUBLE_EQ(std::abs(repaired.surface.mesh.volume()), volume);
+        EXPECT_DOUBLE_EQ(repaired.surface.mesh.area(), area);
+    };
+    for (const bool turned : {false, true})
+    {
+        PatchedSurface second = moved(cube(10), Vector3(10, 0, 0));
+        if (turned) second = turnedOver(second);
+        expectOneBlock(repairSurface(joined(soupOf(cube(10)), soupOf(second)), 8, "blocks.stl"), 2000, 1000);
+    }
+    // Three in a row, the middle one between two walls.
+    PatchedSurface row = cube(10);
+    for (const double x : {10.0, 20.0}) row = joined(row, moved(cube(10), Vector3(x, 0, 0)));
+    expectOneBlock(repairSurface(row, 8, "blocks.stl"), 3000, 1400);
+
+    // The face's other diagonal, as of another program's triangles.
+    PatchedSurface other = moved(cube(10), Vector3(10, 0, 0));
+    other.mesh.faces[8] = {0, 4, 2};
+    other.mesh.faces[9] = {4, 6, 2};
+    ASSERT_DOUBLE_EQ(other.mesh.volume(), 1000);
+    expectOneBlock(repairSurface(joined(cube(10), other), 8, "blocks.stl"), 2000, 1000);
+
+    // A smaller block on a larger one, in the middle of its face.
+    PatchedSurface small = moved(cube(4), Vector3(3, 3, 10));
+    expectOneBlock(repairSurface(joined(cube(10), small), 8, "blocks.stl"), 1064, 664);
+}
+
+TEST(SurfaceRepair, aSheetThatIsThereTwiceStaysOnce)
+{
+    const PatchedSurface sheet = rectangle(10, 10);
+    const RepairedSurface repaired = repairSurface(joined(sheet, turnedOver(sheet)), 2, "sheet.stl");
+    EXPECT_DOUBLE_EQ(repaired.surface.mesh.area(), 100);
 }
 
 TEST(SurfaceRepair, aTankKeepsItsNormalsInwards)

@@ -36,7 +36,7 @@ long behindClosed(const TriangleMesh& mesh, const std::vector<Vector3>& liquid, 
     const bool solidInside = mesh.volume() > 0;
     return std::count_if(liquid.begin(), liquid.end(), [&](const Vector3& x)
     {
-        return !isFinite(x) || ((winding(x) != 0) == solidInside && distance(x) > 0.5*spacing);
+        return !isFinite(x) || ((winding(x) != 0) == solidInside && distance(x).distance > 0.5*spacing);
     });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Renders a time of a case off screen: the liquid's surface as water, or its particles, on their wall.
+// Renders times of a case off screen: the liquid's surface as water, or its particles, on their wall.
 
 #include "AngleCaption.H"
 #include "CurvedWalls.H"
@@ -29,14 +29,16 @@ using namespace shizuku;
 namespace
 {
 
-// The latest of the selected times, or of all, that holds liquid.
-TimeFolder chosenTime(const Arguments& args)
+// The selected times that hold liquid; the latest of all where none is selected.
+std::vector<TimeFolder> chosenTimes(const Arguments& args)
 {
     const auto holds = [](const TimeFolder& time)
     {
         return std::filesystem::exists(time.path/"liquid/positions") || std::filesystem::exists(liquidSurfaceFile(time.path));
     };
-    return selectTimesWith(args, holds, "liquid", "<time>/surface/liquid.ply of meshSurface, or <time>/liquid").back();
+    const std::vector<TimeFolder> times =
+        selectTimesWith(args, holds, "liquid", "<time>/surface/liquid.ply of meshSurface, or <time>/liquid");
+    return args.found("time") ? times : std::vector<TimeFolder>{times.back()};
 }
 
 void readSize(PictureView& view, const std::string& size)
@@ -156,11 +158,19 @@ Vector3 upward(const std::filesystem::path& casePath, const std::optional<Plane>
     return floor ? floor->normal : Vector3(0, 0, 1);
 }
 
-void render(const Arguments& args)
+// Of one time the name as it is given, of several with the time behind it: drop.png, drop_0.005.png.
+std::filesystem::path fileOf(const Arguments& args, const TimeFolder& time, bool several)
 {
-    const TimeFolder time = chosenTime(args);
-    const PictureView view = readView(args);
+    std::filesystem::path file = args.found("output")
+        ? std::filesystem::absolute(args.get("output"))
+        : args.casePath()/(args.casePath().filename().string() + ".png");
+    if (file.extension() != ".png") throw FatalError("The picture " + file.string() + " is no PNG by its name\n    Expected: a name that ends in .png");
+    if (several) file.replace_filename(file.stem().string() + "_" + time.name + ".png");
+    return file;
+}
 
+void renderTime(const Arguments& args, const TimeFolder& time, const PictureView& view, const std::filesystem::path& file)
+{
     PictureScene scene;
     scene.spacing = readSpacing(args.casePath());
     addLiquid(scene, time);
@@ -172,13 +182,18 @@ void render(const Arguments& args)
     const std::string angle = angleCaption(args.casePath(), time.value);
     scene.caption = caption.str() + (angle.empty() ? "" : "\n" + angle);
 
-    const std::filesystem::path file = args.found("output")
-        ? std::filesystem::absolute(args.get("output"))
-        : args.casePath()/(args.casePath().filename().string() + ".png");
-    if (file.extension() != ".png") throw FatalError("The picture " + file.string() + " is no PNG by its name\n    Expected: a name that ends in .png");
-    const VirtualDisplay display;
     renderPicture(scene, view, file);
-    std::cout << "Time = " << time.name << "\nWritten: " << file.string() << '\n';
+    std::cout << "Time = " << time.name << "\nWritten: " << file.string() << std::endl;
+}
+
+void render(const Arguments& args)
+{
+    const std::vector<TimeFolder> times = chosenTimes(args);
+    const PictureView view = readView(args);
+    std::vector<std::filesystem::path> files;
+    for (const TimeFolder& time : times) files.push_back(fileOf(args, time, times.size() > 1));
+    const VirtualDisplay display;
+    for (std::size_t i = 0; i < times.size(); ++i) renderTime(args, times[i], view, files[i]);
 }
 
 }
@@ -186,7 +201,7 @@ void render(const Arguments& args)
 int main(int argc, char** argv)
 {
     std::vector<Option> options = timeSelectionOptions();
-    options.push_back({"output", "FILE", "the PNG; default: <case>/<name of the case>.png", ""});
+    options.push_back({"output", "FILE", "the PNG, of several times one each, FILE_TIME.png; default: <case>/<name of the case>.png", ""});
     options.push_back({"size", "WxH", "pixels", "1600x1000"});
     options.push_back({"azimuth", "DEGREES", "walk of the viewer around the liquid, anticlockwise from above", "0"});
     options.push_back({"centre", "(X Y Z)", "middle of what is seen, m; default: that of the liquid", ""});
@@ -195,6 +210,6 @@ int main(int argc, char** argv)
     return runApplication
     (
         argc, argv,
-        {"renderCase", "Renders the liquid of the latest, or a chosen, time off screen to a PNG.", options}, render
+        {"renderCase", "Renders the liquid of the latest, or of chosen, times off screen to PNGs.", options}, render
     );
 }

@@ -4,7 +4,9 @@
 #include "meshes/Bounds.H"
 #include "sampling/SeedMethod.H"
 #include "sampling/SurfaceFile.H"
+#include "sampling/Slivers.H"
 #include "sampling/SurfaceRepair.H"
+#include "sampling/ThinSolid.H"
 
 #include <algorithm>
 #include <iostream>
@@ -37,6 +39,18 @@ std::string advice(const SampledWall& wall)
 [[noreturn]] void refuseSize(const SampledWall& wall, const Vector3& size, const std::string& reason, double spacing)
 {
     throw FatalInputError(wall.where, sizeText(wall, size, reason, spacing), advice(wall));
+}
+
+void refuseThin(const SampledWall& wall, const PatchedSurface& surface, double spacing)
+{
+    const auto thin = findThinPlace(surface, spacing);
+    if (!thin) return;
+    std::ostringstream found, expected;
+    found << "The solid of wall '" << wall.name << "' is " << thin->thickness << " m thin at " << str(thin->position) << " m, "
+          << thin->thickness/spacing << " spacings: liquid on either side of it feels the particles of both";
+    expected << "at least " << leastThickness << " spacings, " << leastThickness*spacing << " m, or a spacing up to "
+             << thin->thickness/leastThickness << " m in system/solution; or a sheet, an open surface that is wetted from one side";
+    throw FatalInputError(wall.where, found.str(), expected.str());
 }
 
 // Which side the liquid is on, for those whose file has it wrong.
@@ -83,9 +97,11 @@ PatchedSurface loadSurface(const SampledWall& wall, double spacing)
         warning(sizeText(wall, size, reason.str(), spacing) + "\nExpected: " + advice(wall), wall.where);
     }
 
-    const RepairedSurface repaired = repairSurface(raw, wall.closeHoles.value_or(closedHole*spacing), wall.file.string());
+    RepairedSurface repaired = repairSurface(raw, wall.closeHoles.value_or(closedHole*spacing), wall.file.string());
+    leaveOutSlivers(repaired.surface, spacing, wall.file.string(), repaired.report);
     for (const std::string& line : repaired.report) std::cout << wall.name << ": " << line << "\n";
     std::cout << wall.name << ": " << description(repaired) << "\n";
+    refuseThin(wall, repaired.surface, spacing);
     return repaired.surface;
 }
 

@@ -1,0 +1,12 @@
+// Field files, ascii and binary.
+
+#include "core/fieldFile/FieldFile.H"
+#include "fuzz/FuzzInput.H"
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    return readOrRefuse([&] { readField(fileOf(data, size, "")); });
+}

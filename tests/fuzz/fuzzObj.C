@@ -1,0 +1,12 @@
+// OBJ files.
+
+#include "meshes/ObjFile.H"
+#include "fuzz/FuzzInput.H"
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    return readOrRefuse([&] { readObj(fileOf(data, size, ".obj"), "wall"); });
+}

@@ -1,0 +1,83 @@
+#include "caseFiles/SolidSides.H"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+// The layer of a wedge along y whose edge lies at the origin and looks upwards, at a spacing of 1: a row below the edge, of both sides in turn,
+// and rows down the flanks.
+struct Wedge
+{
+    explicit Wedge(double degrees) : half(0.5*degrees*std::numbers::pi/180)
+    {
+        for (int row = 0; row < 12; ++row)
+        {
+            for (int place = -6; place <= 6; ++place)
+            {
+                for (const int side : {-1, 1})
+                {
+                    if (row == 0 && side != (place % 2 == 0 ? -1 : 1)) continue;
+                    solid.positions.push_back(double(row)*down(side) - Vector3(0, 0, 0.5/std::sin(half)) + Vector3(0, place + 0.5*(row % 2), 0));
+                    solid.normals.push_back(normal(side));
+                }
+            }
+        }
+        solid.patch.assign(solid.positions.size(), 0);
+        solid.patches = {"wedge"};
+    }
+
+    Vector3 down(int side) const { return {side*std::sin(half), 0, -std::cos(half)}; }
+    Vector3 normal(int side) const { return {side*std::cos(half), 0, std::sin(half)}; }
+
+    double half;
+    SolidParticles solid;
+};
+
+}
+
+TEST(SolidSides, placesBesideASharpEdgeAreInFrontAndThoseBelowItBehind)
+{
+    for (const double degrees : {45.0, 60.0, 90.0, 120.0})
+    {
+        const Wedge wedge(degrees);
+        const SolidSides sides(wedge.solid, 1);
+        for (const int side : {-1, 1})
+        {
+            for (double along = 0; along < 6; along += 0.1)
+            {
+                for (const double y : {-0.3, 0.0, 0.5, 1.0})
+                {
+                    SCOPED_TRACE(testing::Message() << degrees << " degrees, " << side*along << " down, y " << y);
+                    // Half a spacing off the flank, where the first liquid is.
+                    EXPECT_FALSE(sides(along*wedge.down(side) + 0.5*wedge.normal(side) + Vector3(0, y, 0)).behind);
+                }
+            }
+        }
+        // Deeper than the layer by half a spacing and more, down to where the other ends of the flanks are as near.
+        for (double below = 0.7; below < 6; below += 0.3)
+        {
+            EXPECT_TRUE(sides(Vector3(0, 0.2, -0.5/std::sin(wedge.half) - below)).behind) << degrees << " degrees, " << below;
+        }
+    }
+}
+
+TEST(SolidSides, belowALayerIsBehindAndBesideItsBorderIsNot)
+{
+    SolidParticles solid;
+    for (int x = 0; x <= 10; ++x) for (int y = 0; y <= 10; ++y) solid.positions.emplace_back(x, y, -0.5);
+    solid.normals.assign(solid.positions.size(), {0, 0, 1});
+    const SolidSides sides(solid, 1);
+    EXPECT_TRUE(sides({5.2, 5.3, -3}).behind);
+    EXPECT_FALSE(sides({5.2, 5.3, 3}).behind);
+    EXPECT_FALSE(sides({12, 5, -1}).behind);
+    EXPECT_DOUBLE_EQ(sides({5, 5, 1}).distance, 1.5);
+    EXPECT_EQ(sides({0, 3, 1}).nearest, 3u);
+}
+
+}
