@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The grammar of dictionaries and their expansion: macros, directives, patterns.
 
 #include "core/dictionary/Dictionary.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Field files, ascii and binary.
 
 #include "core/fieldFile/FieldFile.H"

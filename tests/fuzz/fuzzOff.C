@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // OFF files.
 
 #include "sampling/SurfaceFile.H"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // PLY files, ascii and binary.
 
 #include "meshes/PlyFile.H"

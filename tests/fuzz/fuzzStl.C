@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // STL files, ascii and binary.
 
 #include "meshes/StlFile.H"
