@@ -43,7 +43,6 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     stepping/DryRun.C
     stepping/StepControl.C
     stepping/CaseSetup.C
-    stepping/SubStep.C
     stepping/TimeStep.C
     functionObjects/FlowView.C
     functionObjects/FunctionControl.C
