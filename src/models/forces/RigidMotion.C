@@ -22,7 +22,7 @@ HOST_DEVICE void RigidMotion::Sums::add(const Sums& other)
 namespace
 {
 
-constexpr int armBits = 19, wayBits = 28;                // of quanta
+constexpr int armBits = 19, wayBits = 33;               // of quanta
 
 HOST_DEVICE inline std::int64_t arm(std::int64_t place) { return place >> (quanta::fractionBits - armBits); }
 HOST_DEVICE inline Int128 product(std::int64_t a, std::int64_t b) { return Int128(a) * b; }
@@ -41,8 +41,8 @@ struct SumsOfParticle
         const Place at = placeOf(p);
         const Vec3 q = pressure.size > 0 ? ofPressure * pressure[i] : Vec3{}, r = forces.size > 0 ? ofForces * forces[i] : Vec3{};
         const std::int64_t x = arm(at.x), y = arm(at.y), z = arm(at.z);
-        const std::int32_t f = wholeQuanta(r.x, wayBits), g = wholeQuanta(r.y, wayBits), h = wholeQuanta(r.z, wayBits);
-        const std::int32_t u = wholeQuanta(q.x + r.x, wayBits), v = wholeQuanta(q.y + r.y, wayBits), w = wholeQuanta(q.z + r.z, wayBits);
+        const std::int64_t f = wholeQuanta(r.x, wayBits), g = wholeQuanta(r.y, wayBits), h = wholeQuanta(r.z, wayBits);
+        const std::int64_t u = wholeQuanta(q.x + r.x, wayBits), v = wholeQuanta(q.y + r.y, wayBits), w = wholeQuanta(q.z + r.z, wayBits);
         return
         {
             {u, v, w}, {f, g, h}, {Int128(x), Int128(y), Int128(z)},

@@ -95,7 +95,7 @@ TEST(Reduce, GivesTheSameBitsOnAnyNumberOfThreads)
     {
         std::vector<scalar> values(n);
         for (scalar& v : values) v = std::exp(random(-12, 12)) * (random(0, 1) < 0.5f ? -1.0f : 1.0f);
-        EXPECT_EQ(device::sumsFor<ScalarSum>(n), sums);
+        EXPECT_EQ(device::sumsFor(n), sums);
         std::vector<scalar> few = fold(values, sums);
         if (sums > device::fewSums) few = fold(few, device::fewSums);
         scalar expected = 0;
