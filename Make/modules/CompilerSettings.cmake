@@ -34,8 +34,8 @@ else()
     if(CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
         list(APPEND SHIZUKU_HOST_FLAGS -march=x86-64-v2)
     endif()
-    list(APPEND SHIZUKU_HOST_FLAGS -Wno-psabi)      # eight floats at once where the processor has fewer: nobody else's interface
 endif()
+list(APPEND SHIZUKU_HOST_FLAGS -Wno-psabi)          # eight numbers at once where the processor has fewer: nobody else's interface
 set(SHIZUKU_TEST_FLAGS ${SHIZUKU_HOST_FLAGS} -O1)        # short runs: quick to compile counts. What tests are warned of is no error
 if(SHIZUKU_WERROR)
     list(APPEND SHIZUKU_HOST_FLAGS -Werror -Wno-error=invalid-pch -Wno-error=restrict)        # g++ 12 is wrong about strings (its bug 105651)

@@ -154,13 +154,13 @@ TEST_P(Functions, RunTimeControlEndsTheRunAndLeavesItComplete)
 TEST_P(Functions, RefuseBadEntries)
 {
     control("\nfunctions { a { type contactAngle; wall wal; } }");
-    expectRefusal({"'wal'", "floor", "side", "controlDict at line 7"});
+    expectRefusal({"'wal'", "floor", "side", "controlDict at line 8"});
     control("\nfunctions { a { type probes; fields (U); probeLocations ((0 0 zero)); } }");
-    expectRefusal({"the word 'zero'", "a list of vectors", "line 7"});
+    expectRefusal({"the word 'zero'", "a list of vectors", "line 8"});
     control("\nfunctions { a { type volume; executeControl rarely; } }");
-    expectRefusal({"'rarely'", "writeTime", "line 7"});
+    expectRefusal({"'rarely'", "writeTime", "line 8"});
     control("\nfunctions ( volume );");
-    expectRefusal({"'functions' is no dictionary", "line 7"});
+    expectRefusal({"'functions' is no dictionary", "line 8"});
     control("functions { a { type volume; } }");
     write("system/meshSurfaceDict", "cell 20;");
     expectRefusal({"cell is out of range", "meshSurfaceDict"});

@@ -452,9 +452,7 @@ TEST_P(Input, aFullDisk)
     const Outcome outcome = run(full + command("pbfDroplet", ""));
     EXPECT_EQ(outcome.status, 1) << outcome.text;
     EXPECT_TRUE(holds(outcome.text, {"Cannot write", "liquidState.csv", "File too large"}));
-    // The fields of the time are whole.
-    const FieldData U = readField(path()/"0.1/liquid/U", FieldType::vector, dimensions::velocity);
-    EXPECT_EQ(U.elements(), std::size_t(particles));
+    EXPECT_FALSE(exists(path()/"0.1"));         // no time is there without the rows that lead up to it
     for (const auto& [name, bytes] : contents()) EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
 }
 
