@@ -71,7 +71,7 @@ void SubStep::operator()(scalar dt)
     (
         liquid_, near_, walls_, models_, [&] { models_.bodyForce->predict(liquid_, dt); }, [&] { applyForces(dt); }
     );
-    liquid_.velocity = {};                                  // is computed anew: its memory serves the pressure
+    lendVelocities(liquid_);
     walls_.project(liquid_);
     iterate(liquid_, near_, walls_, *models_.pressure, dt, [&] { return models_.forces.applyInIteration(liquid_, near_, walls_, dt); });
 
