@@ -51,6 +51,7 @@ set(SHIZUKU_DEVICE_SOURCES
     models/surfaceTension/continuumSurfaceForce/ContinuumSurfaceForce.C
     models/surfaceTension/continuumSurfaceForce/SurfaceLayer.C
     models/surfaceTension/laplacePressure/LaplacePressure.C
+    models/surfaceTension/surfaceCurvature/CurvatureAtStart.C
     models/surfaceTension/surfaceCurvature/PairCurvature.C
     models/surfaceTension/surfaceCurvature/RegressedCurvature.C
     models/surfaceTension/surfaceCurvature/SurfaceCurvature.C

@@ -43,6 +43,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/surfaceTension/continuumSurfaceForce/TestContinuumSurfaceForce.C
     models/surfaceTension/laplacePressure/TestLaplacePressure.C
     models/surfaceTension/pairTension/TestPairTension.C
+    models/surfaceTension/surfaceCurvature/TestCurvatureAtStart.C
     models/surfaceTension/surfaceCurvature/TestRegressedCurvature.C
     models/velocityFilter/affine/TestAffine.C
     models/viscosity/TestMomentum.C

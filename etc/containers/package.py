@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Spack's recipe: packages/shizuku/package.py of a repository of recipes; spack dev-build shizuku@0.2.0 in a source tree.
+# Spack's recipe: packages/shizuku/package.py of a repository of recipes; spack dev-build shizuku@0.3.0 in a source tree.
 from spack.package import *
 
 
 class Shizuku(CMakePackage, CudaPackage):
     """Position based droplets on wettable solids."""
 
-    version("0.2.0")
+    version("0.3.0")
     generator("ninja")
     variant("cgal", default=True, description="sampleSurface")
     variant("vtk", default=True, description="ParaView files and pictures")

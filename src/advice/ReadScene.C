@@ -52,8 +52,9 @@ void readDictionaries(Scene& scene, const fs::path& path, const Time& time)
             Dictionary::read(path/"constant/g").lookupDimensionedVector("value", dimensions::acceleration);
     }
     scene.maxCapillaryCo = time.controlDict().lookupOr("maxCapillaryCo", usualCapillaryCo);
-    scene.smoothing = models.subDictOrEmpty("XSPHCoeffs").lookupOr("c", 0.05);
-    scene.smoothingPerCapillaryStep = models.subDictOrEmpty("XSPHCoeffs").lookupOr("perCapillaryStep", 0.0);
+    scene.smoothing = models.subDictOrEmpty("XSPHCoeffs").lookupOr("c", 0.2);
+    scene.smoothingPerCapillaryStep =
+        models.subDictOrEmpty("XSPHCoeffs").lookupOr("perCapillaryStep", scene.surfaceTension > 0 ? 0.7 : 0.0);
     scene.support = solution.subDictOrEmpty("kernel").lookupOr("support", 2.0);
     scene.maxIterations = solution.subDictOrEmpty("pressure").lookupOr("maxIterations", 10);       // the solver's default
     scene.coarseGrid = solution.subDictOrEmpty("pressure").lookupOr("coarseGrid", false);

@@ -23,6 +23,18 @@ namespace
 
 class Viscosity : public AdviceRule
 {
+    // What takes the particles' noise in place of XSPH, and takes no swing with it.
+    static void calm(const Scene& scene, Advice& advice)
+    {
+        if (!scene.hasTension()) return;
+        advice.changes.push_back({"constant/models", "velocityFilter", "affine"});
+        if (scene.models.at("surfaceTension") == "laplacePressure")
+        {
+            advice.changes.push_back({"constant/models", "laplacePressureCoeffs/curvatureAt", "start"});
+        }
+        if (scene.models.at("pressure") == "completedPbf") advice.changes.push_back({"system/solution", "pressure/orderRemoved", "1"});
+    }
+
 public:
     std::optional<Advice> advise(Scene& scene) const override
     {
@@ -43,22 +55,24 @@ public:
             advice.source += ", doc/notebook/theory/viscosity.md";
         }
         std::string better = model;
-        if (effect <= scene.tolerance && (model == "laminar" || (model == "XSPH" && smoothed <= scene.tolerance)))
+        const bool own = model == "laminar" || model == "newtonian";
+        if (effect <= scene.tolerance && (own || (model == "XSPH" && smoothed <= scene.tolerance)))
         {
             better = "none";
             advice.verdict = "leave out";
         }
         else if (effect > scene.tolerance && (model == "none" || (model == "XSPH" && nu > smoothing)))
         {
-            better = "laminar";
+            better = "newtonian";
             advice.verdict = model == "none" ? "switch on: the scene needs it"
-                                             : "take laminar: the liquid is thicker than XSPH makes it";
+                                             : "take newtonian: the liquid is thicker than XSPH makes it";
         }
         else if (model == "XSPH" && smoothed - effect > scene.tolerance)
         {
-            advice.verdict = "keep, for what is at rest: what swings is damped too much";
+            advice.verdict = "keep, for what is at rest: what swings is damped too much, and wants newtonian with velocityFilter affine";
         }
         if (better != model) advice.changes = {{"constant/models", "viscosity", better}};
+        if (better == "newtonian" && model != better) calm(scene, advice);
         scene.models["viscosity"] = better;
         return advice;
     }

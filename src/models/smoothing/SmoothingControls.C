@@ -34,12 +34,14 @@ scalar shareOf(const Dictionary& coeffs, const std::string& entry, double fallba
     return scalar(share);
 }
 
-SmoothingControls::SmoothingControls(const Dictionary& coeffs, const Liquid& liquid, double c, bool atWalls)
+SmoothingControls::SmoothingControls(const Dictionary& coeffs, const Liquid& liquid, const Defaults& defaults, bool atWalls)
 :
-    c_(shareOf(coeffs, "c", c)), perCapillaryStep_(shareOf(coeffs, "perCapillaryStep", 0)),
+    c_(shareOf(coeffs, "c", defaults.c)),
+    perCapillaryStep_(shareOf(coeffs, "perCapillaryStep", liquid.properties().surfaceTension > 0 ? defaults.perCapillaryStep : 0)),
     capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time))
 {
-    const double slips = atWalls ? coeffs.lookupOr("slipAbove", 0.0) : 0;
+    const double usual = liquid.properties().surfaceTension > 0 ? defaults.slipAbove : 0;
+    const double slips = atWalls ? coeffs.lookupOr("slipAbove", usual) : 0;
     if (!(slips >= 0)) refuseOutOfRange(coeffs, "slipAbove", "0 or more, spacings a capillary step");
     requireTension(coeffs, "perCapillaryStep", perCapillaryStep_, liquid);
     requireTension(coeffs, "slipAbove", slips, liquid);

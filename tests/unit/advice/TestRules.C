@@ -143,7 +143,8 @@ TEST_F(RuleTest, viscosityInTheTimeOfTheRun)
     EXPECT_EQ(changes(ask("viscosity", effect*(1 - close))), "");
     EXPECT_EQ(changes(ask("viscosity", effect*(1 + close))), "viscosity=none");
     scene_.models["viscosity"] = "none";
-    EXPECT_EQ(changes(ask("viscosity", effect*(1 - close))), "viscosity=laminar");
+    const std::string newtonian = "viscosity=newtonian velocityFilter=affine laplacePressureCoeffs/curvatureAt=start pressure/orderRemoved=1";
+    EXPECT_EQ(changes(ask("viscosity", effect*(1 - close))), newtonian);
     EXPECT_EQ(changes(ask("viscosity", effect*(1 + close))), "");
     // XSPH is as thick as c (3/40) h^2/(2 dt).
     scene_.models["viscosity"] = "XSPH";
@@ -151,7 +152,7 @@ TEST_F(RuleTest, viscosityInTheTimeOfTheRun)
     scene_.viscosity = smoothing*(1 - close);
     EXPECT_EQ(changes(ask("viscosity", 1e-3)), "");
     scene_.viscosity = smoothing*(1 + close);
-    EXPECT_EQ(changes(ask("viscosity", 1e-3)), "viscosity=laminar");
+    EXPECT_EQ(changes(ask("viscosity", 1e-3)), newtonian);
     // With a share of a capillary step, sqrt(1e-9/(2 pi 0.07)) s = 4.768e-5 s, of which this step is 0.4194: 1 - 0.5^0.4194 = 0.2523.
     scene_.smoothingPerCapillaryStep = 0.5;
     EXPECT_NEAR(scene_.modelViscosity(), smoothing*0.2523/0.2, 1e-4*smoothing);

@@ -27,11 +27,13 @@ struct Scene
     std::string set, moreModels;
     bool sampled, acrossZ;
     int steps;
+    std::string nu = "1e-6";            // m2/s
 };
 
 CaseText textOf(const Scene& scene)
 {
     CaseText text;
+    text.liquidProperties = "rho 1000; nu " + scene.nu + "; sigma 0.072;";
     if (!scene.sampled)
     {
         text.walls = floorPlane;
@@ -197,6 +199,13 @@ TEST(TestParts, DefaultHasTheBitsOfTheWhole)
 {
     expectSameBits({"default", "", true, false, 12}, {2, 3, 5});
     expectSameBits({"default", "", false, true, 12}, {2, 3});
+}
+
+// Water in steps that take the stress as it is; a liquid for which it is solved, with sums over all parts.
+TEST(TestParts, LiquidsWithTheirOwnViscosityHaveTheBitsOfTheWhole)
+{
+    expectSameBits({"newtonian", "", true, false, 12}, {2, 3});
+    expectSameBits({"newtonian", "", false, true, 12, "1e-3"}, {2, 3});
 }
 
 TEST(TestParts, PbfHasTheBitsOfTheWhole)

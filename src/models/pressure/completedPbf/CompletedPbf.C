@@ -27,6 +27,7 @@
 //     pressure
 //     {
 //         ordering        1.2;            // o, from 1 to 4
+//         orderRemoved    0.7;            // r of OrderStress.H, from 0 to 1
 //         coarseGrid      no;             // yes: takes compression out over the whole depth at once (CoarseCorrection.H)
 //         alongSurfaces   no;             // yes: completes the pressure's gradient along surfaces and walls (TangentialGradient.H); where
 //                                         // nothing is said it does with surfaceTension laplacePressure
@@ -159,6 +160,7 @@ public:
     :
         controls_(PressureControls::read(controls, liquid)),
         ordering_(scalar(controls.lookupOr("ordering", 1.2))),
+        orderRemoved_(scalar(controls.lookupOr("orderRemoved", 0.7))),
         limits_(controls_),
         surface_(surface),
         plane_(tabulateHalfSpace(liquid.kernel())),
@@ -167,6 +169,7 @@ public:
         steady_(liquid)
     {
         refuseIf(!(ordering_ >= 1 && ordering_ <= 4), controls, "ordering", "1 to 4");
+        refuseIf(!(orderRemoved_ >= 0 && orderRemoved_ <= 1), controls, "orderRemoved", "0 to 1");
         if (controls.lookupOr("coarseGrid", false)) coarse_.emplace(liquid);
         if (controls.found("alongSurfaces")) givenAlongSurfaces_ = controls.lookup<bool>("alongSurfaces");
         surface.agreed().ordering = ordering_;
@@ -310,13 +313,13 @@ private:
 
     OrderStress stress(const Liquid& liquid)
     {
-        return {dt_ * dt_ / liquid.restDensity(), 0.5f * liquid.spacing(), stress_.span()};
+        return {orderRemoved_, dt_ * dt_ / liquid.restDensity(), 0.5f * liquid.spacing(), stress_.span()};
     }
 
     TangentialGradient tangential() { return {normals_.span(), wallNormals_.span()}; }
 
     PressureControls controls_;
-    scalar ordering_;
+    scalar ordering_, orderRemoved_;        // o, r
     IterationControls limits_;              // of the step
     FreeSurface& surface_;
     Buffer<HalfSpaceValues> plane_;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes out of each pair's difference of velocities what a flow that is linear around both does not have.
 //
-//     u_i += c sum_j V W_ij [ (f_i + f_j)/2 (u_j - u_i) - (f_i B_i + f_j B_j)/2 (x_j - x_i) ]
+//     u_i += c { sum_j V W_ij [ (f_i + f_j)/2 (u_j - u_i) - (f_i B_i + f_j B_j)/2 (x_j - x_i) ] - a min(1, s d/(t_c |u_i|)) u_i w }
 //
 // B: the gradient by least squares with the weights W (velocityGradient/LeastSquaresGradient.H), f: 1, and less for neighbours in a plane or along a line.
 // Whatever is linear in the positions, all rotation and strain, passes untouched; momentum and angular momentum stay; and since
 //
 //     -sum_i u_i . du_i = c/2 sum_i f_i sum_j V W_ij |u_j - u_i - B_i (x_j - x_i)|^2
 //
-// it only ever takes energy. nu does not enter. With `passes 2` what it takes is filtered once more before it is taken, so that flows which bend over a few
-// spacings keep theirs, too.
+// it only ever takes energy. nu does not enter.
 //
 // c: the share of a step; perCapillaryStep, p, that of the time t_c = sqrt(rho d^3/(2 pi sigma)): a step dt takes 1 - (1 - p)^(dt/t_c) where that is more
-// than c. atWalls: the share of c with which walls at rest take part, by their kernel density, as in XSPH.
+// than c. w: the kernel density of walls, which are at rest; a, atWalls, is their share, slipAbove, s, the speed up to which they have it wholly: what trembles on a wall
+// comes to rest on it. Without a surface tension p and s are 0 where nothing is said.
 //
 //     velocityFilter  affine;
-//     affineCoeffs    { c 0.2; perCapillaryStep 0.7; passes 1; atWalls 0.3; slipAbove 0; }
+//     affineCoeffs    { c 0.2; perCapillaryStep 0.98; atWalls 1; slipAbove 0.1; }
 
 #include "models/smoothing/SmoothingControls.H"
 #include "models/velocityFilter/VelocityFilter.H"
@@ -61,19 +61,19 @@ struct FitGradient
     }
 };
 
-// What is left of the differences from the neighbours.
 template<class Kernel>
-struct SumRemainders
+struct TakeOut
 {
     static constexpr Holds holds = Holds::more;
 
     KernelWeight<Kernel> k;
-    scalar volume;
+    scalar volume, share, atWalls, slipAbove;
     Span<const Position> x;
     Span<const Vec3> velocity;
     NeighbourView near;
     RowsField<const Vec3> gradient;
-    Span<Vec3> remainder;
+    WallView walls;
+    Span<Vec3> filtered;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
@@ -93,33 +93,10 @@ struct SumRemainders
                 full * du.z + dot(gradient.z[j] + own.z, r)
             );
         }, team);
-        const Vec3 total = volume * team.sum(sum);
-        if (team.first()) remainder[i] = total;
-    }
-};
-
-struct TakeOut
-{
-    scalar share;
-    Span<const Vec3> remainder;
-    Span<Vec3> velocity;
-
-    HOST_DEVICE void operator()(int i) const { velocity[i] += share * remainder[i]; }
-};
-
-template<class Kernel>
-struct HoldBack
-{
-    Kernel W;
-    scalar share, slipAbove;
-    Span<const Position> x;
-    WallView walls;
-    Span<Vec3> velocity;
-
-    HOST_DEVICE void operator()(int i) const
-    {
-        const Vec3 u = velocity[i];
-        velocity[i] -= share * walls.density(i, x[i], W) * fmin(slipAbove / fmax(norm(u), 1e-20f), 1) * u;
+        Vec3 change = volume * team.sum(sum);
+        if (!team.first()) return;
+        if (atWalls > 0) change -= atWalls * walls.density(i, xi, k.W) * fmin(slipAbove / fmax(norm(ui), 1e-20f), 1) * ui;
+        filtered[i] = ui + share * change;
     }
 };
 
@@ -128,60 +105,45 @@ class Affine : public VelocityFilter
 public:
     Affine(const Dictionary& coeffs, Liquid& liquid)
     :
-        controls_(coeffs, liquid, 0.2), atWalls_(shareOf(coeffs, "atWalls", 0.3)), passes_(coeffs.lookupOr("passes", 1))
-    {
-        if (passes_ != 1 && passes_ != 2) throw FatalInputError(coeffs.where("passes"), "Coefficient passes is out of range", "1 or 2");
-    }
+        controls_(coeffs, liquid, {.c = 0.2, .perCapillaryStep = 0.98, .slipAbove = 0.1}), atWalls_(shareOf(coeffs, "atWalls", 1))
+    {}
+
+    bool seesGhosts() const override { return true; }
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
+        liquid.ghosts().copy(liquid.position);
+        liquid.ghosts().copy(liquid.velocity);
         inverse_.resizeDiscarding(liquid.all());
         gradient_.resizeDiscarding(liquid.all());
-        remainder_.resizeDiscarding(liquid.all());
-        const scalar share = controls_.share(dt);
+        Buffer<Vec3> filtered(liquid.all());
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
                 const KernelWeight<Kernel> k{W};
                 const scalar V = liquid.particleVolume();
-                forEachTeam(liquid.owned(), MeasureMoments<KernelWeight<Kernel>>{k, V, liquid.position.span(), near.view(), inverse_.view()});
-                findRemainders(k, liquid, near, liquid.velocity);
-                if (passes_ == 2)
+                const Span<const Position> x = std::as_const(liquid.position).span();
+                const Span<const Vec3> u = std::as_const(liquid.velocity).span();
+                forEachTeam(liquid.owned(), MeasureMoments<KernelWeight<Kernel>>{k, V, x, near.view(), inverse_.view()});
+                forEachTeam(liquid.owned(), FitGradient<Kernel>{k, V, x, u, near.view(), inverse_.view(), gradient_.view()});
+                for (Buffer<Vec3>* row : {&gradient_.x, &gradient_.y, &gradient_.z}) liquid.ghosts().copy(*row);
+                forEachTeam(liquid.owned(), TakeOut<Kernel>
                 {
-                    again_.resizeDiscarding(liquid.all());
-                    again_.swap(remainder_);
-                    findRemainders(k, liquid, near, again_);
-                }
-                // A remainder of a remainder has the sign of what is left, not of what is to be added.
-                forEach(liquid.owned(), TakeOut{passes_ == 2 ? -share : share, remainder_.span(), liquid.velocity.span()});
-                if (atWalls_ == 0 || (walls.particles() == 0 && walls.surfaces() == 0)) return;
-                forEach(liquid.owned(), HoldBack<Kernel>
-                {
-                    W, atWalls_ * share, controls_.slipAbove(), liquid.position.span(), walls.view(liquid), liquid.velocity.span()
+                    k, V, controls_.share(dt), atWalls_, controls_.slipAbove(), x, u, near.view(), gradient_.seen(), walls.view(liquid),
+                    filtered.span()
                 });
             },
             liquid.kernel()
         );
+        liquid.velocity.swap(filtered);
     }
 
 private:
-    // Of the velocities u into remainder_.
-    template<class Kernel>
-    void findRemainders(const KernelWeight<Kernel>& k, const Liquid& liquid, const Neighbourhood& near, const Buffer<Vec3>& u)
-    {
-        const scalar V = liquid.particleVolume();
-        const Span<const Position> x = std::as_const(liquid.position).span();
-        forEachTeam(liquid.owned(), FitGradient<Kernel>{k, V, x, u.span(), near.view(), inverse_.view(), gradient_.view()});
-        forEachTeam(liquid.owned(), SumRemainders<Kernel>{k, V, x, u.span(), near.view(), gradient_.seen(), remainder_.span()});
-    }
-
     SmoothingControls controls_;
     scalar atWalls_;
-    int passes_;
     InverseMoments inverse_;
     OwnedRows gradient_;
-    Buffer<Vec3> remainder_, again_;
 };
 
 const VelocityFilterTable::Add<Affine> registered{"affine"};

@@ -13,7 +13,9 @@
 //     u_i -= c min(1, s d/(t_c |u_i|)) u_i (walls)
 //
 //     viscosity   XSPH;
-//     XSPHCoeffs  { c 0.05; perCapillaryStep 0; noSlip yes; slipAbove 0; }
+//     XSPHCoeffs  { c 0.2; perCapillaryStep 0.7; noSlip yes; slipAbove 0.1; }
+//
+// Without a surface tension perCapillaryStep and slipAbove are 0 where nothing is said.
 
 #include "models/smoothing/SmoothingControls.H"
 #include "models/viscosity/Viscosity.H"
@@ -55,7 +57,7 @@ class XSPH : public Viscosity
 public:
     XSPH(const Dictionary& coeffs, Liquid& liquid)
     :
-        noSlip_(coeffs.lookupOr("noSlip", true)), controls_(coeffs, liquid, 0.05, noSlip_)
+        noSlip_(coeffs.lookupOr("noSlip", true)), controls_(coeffs, liquid, {.c = 0.2, .perCapillaryStep = 0.7, .slipAbove = 0.1}, noSlip_)
     {}
 
     bool seesGhosts() const override { return true; }

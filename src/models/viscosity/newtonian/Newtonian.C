@@ -8,7 +8,11 @@
 // Solved by conjugate gradients from u* on, whose every iterate has the momentum and, without walls, the angular momentum of u*. They end when
 // the residual has fallen by `tolerance`, or is what rounding leaves. nu may be zero: nothing is done then.
 //
-// The form that asks for one sum over the particles an iteration: Chronopoulos and Gear 1989. Trials: doc/notebook/theory/viscosity.md.
+// Where a step is short for the liquid's nu, as it is of water, A u* does for A u: where no eigenvalue of dt A is above a quarter, which are at most 8 nu dt sum_j V k_ij.
+// Walls are implicit at all times.
+//
+// The form that asks for one sum over the particles an iteration: Chronopoulos and Gear 1989. Its sums are of whole quanta: parts of a liquid come to the bits of the whole.
+// Trials: doc/notebook/theory/viscosity.md.
 //
 //     viscosity        newtonian;
 //     newtonianCoeffs
@@ -21,17 +25,68 @@
 //     }
 
 #include "device/Reduce.H"
+#include "maths/Simpson.H"
+#include "maths/WholeSum.H"
 #include "models/viscosity/Viscosity.H"
 #include "models/viscosity/newtonian/PairStress.H"
 #include "models/viscosity/newtonian/WallDrag.H"
 
 #include <cmath>
+#include <utility>
 
 namespace shizuku
 {
 
 namespace
 {
+
+// The step with A u*: u = (I + dt T)^-1 (u* - dt A u*).
+template<class Kernel>
+struct StepOnce
+{
+    static constexpr Holds holds = Holds::more;
+
+    SlopeWeight<Kernel> k;
+    scalar volume, dt;
+    Span<const Position> x;
+    Span<const Vec3> before;                            // u*
+    NeighbourView near;
+    RowsField<const Vec3> stress;                       // of u*
+    bool held;
+    WallDrag<Kernel> drag;
+    Span<Vec3> velocity;
+
+    HOST_DEVICE void operator()(int i, Team team) const
+    {
+        const Vec3 force = stressForce(k, volume, i, x, before, near, stress, team);
+        if (!team.first()) return;
+        Vec3 u = before[i] - dt * force;
+        if (held)
+        {
+            SymmTensor<Vec3> matrix = dt * drag(i);
+            matrix.diagonal += Vec3{1, 1, 1};
+            const SymmTensor<Vec3> adjoint = adjugate(matrix);
+            const scalar determinant =
+                matrix.diagonal.x * adjoint.diagonal.x + matrix.other.x * adjoint.other.x + matrix.other.z * adjoint.other.z;
+            u = 1 / determinant * (adjoint * u);
+        }
+        velocity[i] = u;
+    }
+};
+
+template<class Kernel>
+struct StoreDrag
+{
+    WallDrag<Kernel> drag;
+    Span<Vec3> diagonal, other;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const SymmTensor<Vec3> matrix = drag(i);
+        diagonal[i] = matrix.diagonal;
+        other[i] = matrix.other;
+    }
+};
 
 // The matrix I + dt (A + T), or dt (A + T) alone.
 template<class Weight>
@@ -58,9 +113,13 @@ struct Multiply
     }
 };
 
+// In quanta of 2^-72, scaled.
 struct ResidualSums
 {
-    double squares = 0, energy = 0, velocities = 0;     // r.r, r.(matrix r), u.u
+    WideSum squares, energy, velocities;                // r.r, r.(matrix r), u.u
+
+    HOST_DEVICE static WideSum quanta(scalar value) { return Int128(double(value) * quantaOfOne); }
+    static double value(const WideSum& sum) { return double(Int128(sum)) / quantaOfOne; }
 
     HOST_DEVICE void add(const ResidualSums& more)
     {
@@ -68,6 +127,9 @@ struct ResidualSums
         energy += more.energy;
         velocities += more.velocities;
     }
+
+private:
+    static constexpr double quantaOfOne = 0x1p72;
 };
 
 struct SumResidual
@@ -76,7 +138,11 @@ struct SumResidual
 
     HOST_DEVICE ResidualSums operator()(int i) const
     {
-        return {squared(residual[i]), dot(residual[i], product[i]), squared(velocity[i])};
+        return
+        {
+            ResidualSums::quanta(squared(residual[i])), ResidualSums::quanta(dot(residual[i], product[i])),
+            ResidualSums::quanta(squared(velocity[i]))
+        };
     }
 };
 
@@ -116,7 +182,8 @@ public:
         tolerance_(coeffs.lookupOr("tolerance", 1e-3)),
         maxIterations_(coeffs.lookupOr("maxIterations", 200)),
         nu_(liquid.units().toScaled(liquid.properties().viscosity, dimensions::kinematicViscosity)),
-        plane_(tabulateHalfSpace(liquid.kernel()))
+        plane_(tabulateHalfSpace(liquid.kernel())),
+        stiffest_(stiffestOf(liquid.kernel()))
     {
         const auto refuseIf = [&](bool wrong, const std::string& entry, const std::string& expected)
         {
@@ -127,13 +194,28 @@ public:
         refuseIf(maxIterations_ < 1, "maxIterations", "1 or more");
     }
 
+    bool seesGhosts() const override { return true; }
+
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
-        if (nu_ == 0 || liquid.owned() == 0) return;
-        for (Buffer<Vec3>* vector : {&residual_, &product_, &direction_, &ofDirection_}) vector->resizeDiscarding(liquid.all());
+        if (nu_ == 0 || liquid.isEmpty()) return;
+        liquid.ghosts().copy(liquid.position);
+        liquid.ghosts().copy(liquid.velocity);
         inverse_.resizeDiscarding(liquid.all());
         stress_.resizeDiscarding(liquid.all());
-        std::visit([&](const auto& W) { solve(W, liquid, near, walls, dt); }, liquid.kernel());
+        std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                forEachTeam(liquid.owned(), MeasureMoments<SlopeWeight<Kernel>>
+                {
+                    {W}, liquid.particleVolume(), liquid.position.span(), near.view(), inverse_.view()
+                });
+                if (dt * nu_ * stiffest_ <= 0.25f) stepOnce(W, liquid, near, walls, dt);
+                else solve(W, liquid, near, walls, dt);
+            },
+            liquid.kernel()
+        );
     }
 
 private:
@@ -147,32 +229,67 @@ private:
         });
     }
 
+    // The largest eigenvalue of A over nu, at most: 8 sum_j V k_ij, as an integral.
+    static scalar stiffestOf(const KernelChoice& kernel)
+    {
+        return std::visit([](const auto& W)
+        {
+            return scalar(8 * integrate(0, W.h, [&](double r) { return 4 * kernels::pi * r * r * -W.g(scalar(r)); }));
+        }, kernel);
+    }
+
+    bool isHeld(const Walls& walls) const { return noSlip_ && (walls.particles() > 0 || walls.surfaces() > 0); }
+
+    template<class Kernel>
+    WallDrag<Kernel> drag(const Kernel& W, Liquid& liquid, const Walls& walls, scalar dt)
+    {
+        return
+        {
+            W, liquid.spacing(), nu_, slip_, dt, std::as_const(liquid.position).span(), std::as_const(liquid.velocity).span(), walls.view(liquid),
+            {plane_.span(), W.h}, missing_ ? missing_->span() : Span<scalar>{}
+        };
+    }
+
+    // P of the vectors, of ghosts too, which have theirs.
+    template<class Kernel>
+    void findStress(const Kernel& W, const Liquid& liquid, const Neighbourhood& near, const Buffer<Vec3>& vectors)
+    {
+        forEachTeam(liquid.owned(), FindStress<SlopeWeight<Kernel>>
+        {
+            {W}, liquid.particleVolume(), nu_, liquid.position.span(), vectors.span(), near.view(), inverse_.view(), stress_.view()
+        });
+        for (Buffer<Vec3>* row : {&stress_.x, &stress_.y, &stress_.z}) liquid.ghosts().copy(*row);
+    }
+
+    template<class Kernel>
+    void stepOnce(const Kernel& W, Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
+    {
+        findStress(W, liquid, near, liquid.velocity);
+        Buffer<Vec3> velocity(liquid.all());
+        forEachTeam(liquid.owned(), StepOnce<Kernel>
+        {
+            {W}, liquid.particleVolume(), dt, liquid.position.span(), liquid.velocity.span(), near.view(), stress_.seen(), isHeld(walls),
+            drag(W, liquid, walls, dt), velocity.span()
+        });
+        liquid.velocity.swap(velocity);
+    }
+
     template<class Kernel>
     void solve(const Kernel& W, Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
     {
-        using Weight = SlopeWeight<Kernel>;
-        const Weight k{W};
-        const int n = liquid.owned();
-        const scalar V = liquid.particleVolume();
-        const Span<const Position> x = liquid.position.span();
-        const bool held = noSlip_ && (walls.particles() > 0 || walls.surfaces() > 0);
-        dragDiagonal_.resizeDiscarding(held ? liquid.all() : 0);
-        dragOther_.resizeDiscarding(held ? liquid.all() : 0);
-        if (held)
-        {
-            forEach(n, WallDrag<Kernel>
-            {
-                W, liquid.spacing(), nu_, slip_, dt, x, liquid.velocity.span(), walls.view(liquid), {plane_.span(), W.h},
-                missing_ ? missing_->span() : Span<scalar>{}, dragDiagonal_.span(), dragOther_.span()
-            });
-        }
-        forEachTeam(n, MeasureMoments<Weight>{k, V, x, near.view(), inverse_.view()});
+        for (Buffer<Vec3>* vector : {&residual_, &product_, &direction_, &ofDirection_}) vector->resizeDiscarding(liquid.all());
+        const int n = liquid.owned(), held = isHeld(walls) ? liquid.all() : 0;
+        dragDiagonal_.resizeDiscarding(held);
+        dragOther_.resizeDiscarding(held);
+        if (held) forEach(n, StoreDrag<Kernel>{drag(W, liquid, walls, dt), dragDiagonal_.span(), dragOther_.span()});
         const auto multiply = [&](Buffer<Vec3>& vector, scalar own, Buffer<Vec3>& product)
         {
-            forEachTeam(n, FindStress<Weight>{k, V, nu_, x, vector.span(), near.view(), inverse_.view(), stress_.view()});
-            forEachTeam(n, Multiply<Weight>
+            liquid.ghosts().copy(vector);
+            findStress(W, liquid, near, vector);
+            forEachTeam(n, Multiply<SlopeWeight<Kernel>>
             {
-                k, V, dt, own, x, vector.span(), near.view(), stress_.seen(), dragDiagonal_.span(), dragOther_.span(), product.span()
+                {W}, liquid.particleVolume(), dt, own, liquid.position.span(), vector.span(), near.view(), stress_.seen(), dragDiagonal_.span(),
+                dragOther_.span(), product.span()
             });
         };
         multiply(liquid.velocity, 0, residual_);
@@ -181,14 +298,18 @@ private:
         for (int iteration = 0; iteration < maxIterations_; ++iteration)
         {
             multiply(residual_, 1, product_);
-            const ResidualSums sums = reduce(n, SumResidual{residual_.span(), product_.span(), liquid.velocity.span()}, scratch_);
+            const ResidualSums whole = liquid.parts().fold
+            (
+                reduce(n, SumResidual{residual_.span(), product_.span(), liquid.velocity.span()}, scratch_)
+            );
+            const double squares = ResidualSums::value(whole.squares), energy = ResidualSums::value(whole.energy);
             // Roundings of velocities make a residual, too.
             constexpr double rounding = 4 * std::numeric_limits<scalar>::epsilon();
-            if (iteration == 0) enough = std::max(tolerance_ * tolerance_ * sums.squares, rounding * rounding * sums.velocities);
-            if (!(sums.squares > enough)) return;
-            const double beta = iteration > 0 ? sums.squares / before : 0;
-            alpha = sums.squares / (iteration > 0 ? sums.energy - beta * sums.squares / alpha : sums.energy);
-            before = sums.squares;
+            if (iteration == 0) enough = std::max(tolerance_ * tolerance_ * squares, rounding * rounding * ResidualSums::value(whole.velocities));
+            if (!(squares > enough)) return;
+            const double beta = iteration > 0 ? squares / before : 0;
+            alpha = squares / (iteration > 0 ? energy - beta * squares / alpha : energy);
+            before = squares;
             forEach(n, Advance
             {
                 scalar(alpha), scalar(beta), iteration == 0, liquid.velocity.span(), residual_.span(), direction_.span(),
@@ -204,6 +325,7 @@ private:
     int maxIterations_;
     scalar nu_;
     Buffer<HalfSpaceValues> plane_;
+    scalar stiffest_;
     InverseMoments inverse_;
     OwnedRows stress_;
     Buffer<Vec3> residual_, product_, direction_, ofDirection_;

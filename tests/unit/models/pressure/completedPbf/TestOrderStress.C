@@ -62,7 +62,7 @@ TEST(OrderStress, IsTakenOutOfThePressure)
         }
         const double third = (D[0][0] + D[1][1] + D[2][2]) / 3;
         for (int a = 0; a < 3; ++a) D[a][a] -= third;
-        for (auto& row : D) for (double& value : row) value *= OrderStress::removed * std::max(p[i], scalar(0));
+        for (auto& row : D) for (double& value : row) value *= 0.7 * std::max(p[i], scalar(0));
         stress[i] = D;
     }
     int compared = 0;
@@ -111,7 +111,7 @@ struct StoreDeviator
         constraintSums(W, volume, i, x, near, team, moments);
         const bool atWall = walls.walls.isNear(i, x[i], W.h, team);
         const auto slopes = moments.over(team);
-        stress.store(i, x[i], slopes, 1 / OrderStress::removed, surface(i), plane, walls, atWall, team);
+        stress.store(i, x[i], slopes, 1, surface(i), plane, walls, atWall, team);
     }
 };
 
@@ -127,7 +127,7 @@ std::vector<SymmTensor<Vec3>> deviators(const LiquidCase& drop, scalar layer)
     forEachTeam(liquid.owned(), StoreDeviator
     {
         W, liquid.particleVolume(), liquid.predicted.span(), drop.near.view(), {extended.view(), W.h, drop.walls.view(drop.liquid)},
-        drop.surface.view(), {plane.span(), W.h}, {1, layer * liquid.spacing(), ofParticle.span()}
+        drop.surface.view(), {plane.span(), W.h}, {1, 1, layer * liquid.spacing(), ofParticle.span()}
     });
     std::vector<SymmTensor<Vec3>> result;
     for (const Vec3 words : drop.inOrder(ofParticle)) result.push_back(unpacked(words));

@@ -14,7 +14,7 @@ TEST(XSPH, SmoothsVelocitiesByItsFormula)
     const auto points = randomPoints(300, {0, 0, 0}, {6, 6, 6});
     const auto velocities = randomPoints(300, {-1, -1, -1}, {1, 1, 1}, 2);
     drop.place(points, velocities);
-    const auto model = Viscosity::New(Dictionary::parse("viscosity XSPH; XSPHCoeffs { c 0.2; }"), drop.liquid);
+    const auto model = Viscosity::New(Dictionary::parse("viscosity XSPH; XSPHCoeffs { c 0.2; perCapillaryStep 0; }"), drop.liquid);
     model->apply(drop.liquid, drop.near, drop.walls, 0.02f);
     EXPECT_EQ(model->stepLimit(drop.liquid.properties()), std::numeric_limits<double>::infinity());
 
@@ -41,7 +41,7 @@ TEST(XSPH, HoldsBackAtWallsWithoutSlip)
     const Reference<CubicSpline> W{2};                  // in spacings, in which V = 1
     for (const bool sampled : {false, true})
     {
-        for (const std::string noSlip : {"", "noSlip yes;", "noSlip no;"})
+        for (const std::string noSlip : {"slipAbove 0;", "noSlip yes; slipAbove 0;", "noSlip no;"})
         {
             CaseText text{.walls = "side { type plane; point (-3.5e-3 0 0); normal (1 0 0); }"};
             if (sampled)
@@ -53,7 +53,7 @@ TEST(XSPH, HoldsBackAtWallsWithoutSlip)
             drop.place(points, velocities);
             const auto model = Viscosity::New
             (
-                Dictionary::parse("viscosity XSPH; XSPHCoeffs { c 0.3; " + noSlip + " }"), drop.liquid
+                Dictionary::parse("viscosity XSPH; XSPHCoeffs { c 0.3; perCapillaryStep 0; " + noSlip + " }"), drop.liquid
             );
             model->apply(drop.liquid, drop.near, drop.walls, 0.02f);
             const auto smoothed = drop.inOrder(drop.liquid.velocity);
@@ -99,9 +99,9 @@ TEST(XSPH, SmoothsAsMuchInATimeWhateverTheStep)
         model->apply(drop.liquid, drop.near, drop.walls, steps * capillary);
         return drop.inOrder(drop.liquid.velocity)[1].x;
     };
-    const scalar whole = smoothed("c 1;", 1);           // of two particles: W at their distance
+    const scalar whole = smoothed("c 1; perCapillaryStep 0;", 1);           // of two particles: W at their distance
     EXPECT_GT(whole, 0.03f);
-    EXPECT_EQ(smoothed("c 0.1;", 7), smoothed("c 0.1;", 1));
+    EXPECT_EQ(smoothed("c 0.1; perCapillaryStep 0;", 7), smoothed("c 0.1; perCapillaryStep 0;", 1));
     for (const scalar steps : {0.1f, 0.25f, 1.0f, 2.0f, 5.0f})  // the share of 0.1 lies below c
     {
         const double share = std::max(0.05, 1 - std::pow(0.7, steps));
@@ -118,12 +118,12 @@ TEST(XSPH, HoldsBackFastLiquidNoMore)
     const auto taken = [&](const std::string& coeffs, Vec3 velocity)
     {
         drop.place({{0, 0, 0.5f}}, {velocity});
-        const auto model = Viscosity::New(Dictionary::parse("viscosity XSPH; XSPHCoeffs { c 0.2; " + coeffs + " }"), drop.liquid);
+        const auto model = Viscosity::New(Dictionary::parse("viscosity XSPH; XSPHCoeffs { c 0.2; perCapillaryStep 0; " + coeffs + " }"), drop.liquid);
         model->apply(drop.liquid, drop.near, drop.walls, 0.02f);
         return velocity - drop.inOrder(drop.liquid.velocity)[0];
     };
     const Vec3 unit{0.6f, 0, -0.8f};
-    const Vec3 atLimit = taken("", limit * unit);
+    const Vec3 atLimit = taken("slipAbove 0;", limit * unit);
     EXPECT_GT(norm(atLimit), 0.02f * limit);
     for (const scalar speed : {0.0f, 0.5f, 1.0f, 3.0f, 100.0f})
     {
@@ -131,7 +131,7 @@ TEST(XSPH, HoldsBackFastLiquidNoMore)
         // Differences of velocities of order `speed`, in single precision.
         EXPECT_LT(norm(taken("slipAbove 0.1;", speed * limit * unit) - share * atLimit), 2e-7f * (1 + speed) * limit) << speed;
     }
-    EXPECT_GT(norm(taken("", 100 * limit * unit)), 99 * norm(atLimit));
+    EXPECT_GT(norm(taken("slipAbove 0;", 100 * limit * unit)), 99 * norm(atLimit));
 }
 
 TEST(XSPH, RefusesACapillaryStepWithoutTension)
@@ -144,6 +144,7 @@ TEST(XSPH, RefusesACapillaryStepWithoutTension)
     EXPECT_TRUE(holds(messageOf([&] { make("perCapillaryStep 0.5"); }), {"constant/models", "surface tension", "perCapillaryStep 0"}));
     EXPECT_TRUE(holds(messageOf([&] { make("slipAbove 0.5"); }), {"constant/models", "surface tension", "slipAbove 0"}));
     EXPECT_NO_THROW(make("perCapillaryStep 0; slipAbove 0"));
+    EXPECT_NO_THROW(make("c 0.2"));                 // what is not said needs none
 }
 
 TEST(XSPH, RefusesACoefficientOutOfRange)
@@ -156,4 +157,19 @@ TEST(XSPH, RefusesACoefficientOutOfRange)
         const Dictionary models = Dictionary::parse("viscosity XSPH; XSPHCoeffs { " + c + "; }", "constant/models");
         EXPECT_TRUE(holds(messageOf([&] { Viscosity::New(models, drop.liquid); }), {"constant/models", "0 to 1"}));
     }
+}
+
+// A word alone means what the ladder validates: shares of 0.2 and 0.7, and walls up to a tenth of a spacing a capillary step.
+TEST(XSPH, WithoutCoefficientsIsTheDefault)
+{
+    const auto smoothed = [](const std::string& models)
+    {
+        LiquidCase drop(caseOnFloor({}));
+        drop.place(latticeBlock(3, 3, 3, 1, {-1, -1, 0.5f}), randomPoints(27, {-1, -1, -1}, {1, 1, 1}, 2));
+        Viscosity::New(Dictionary::parse(models), drop.liquid)->apply(drop.liquid, drop.near, drop.walls, 0.05f);
+        return drop.inOrder(drop.liquid.velocity);
+    };
+    const auto bare = smoothed("viscosity XSPH;");
+    const auto said = smoothed("viscosity XSPH; XSPHCoeffs { c 0.2; perCapillaryStep 0.7; noSlip yes; slipAbove 0.1; }");
+    for (std::size_t i = 0; i < bare.size(); ++i) EXPECT_EQ(norm(bare[i] - said[i]), 0) << i;
 }
