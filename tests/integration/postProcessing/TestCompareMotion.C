@@ -3,6 +3,7 @@
 
 #include "DropCase.H"
 #include "reference/DropOscillation.H"
+#include "reference/Spreading.H"
 #include "support/Process.H"
 
 #include <gtest/gtest.h>
@@ -203,6 +204,75 @@ TEST_F(CompareMotion, TimesOfSpreading)
         if (faster == 1) EXPECT_NEAR(found.at("rms difference of the wetted area"), 0.0133, 0.0005);     // of the fit from the points
         else EXPECT_GT(found.at("rms difference of the wetted area"), 0.1);
     }
+}
+
+// A line of r^2 that begins late, with C = 1.3, beside a drop whose particles do not matter.
+TEST_F(CompareMotion, GrowthOfANeck)
+{
+    writeLiquid("0", ball());
+    const auto writeNeck = [&](double end)
+    {
+        writeTable("neck/0/crossSection.csv", "place [m],area [m2]", end, 2e-5, [&](double t)
+        {
+            return "0," + text(std::numbers::pi*R*R*1.3*1.3*std::max(0.0, t - 3e-4)/tau);
+        });
+    };
+    writeNeck(3e-3);
+    const auto found = measured("type neck; radius 1e-3; least 1.1; most 1.6;");
+    EXPECT_NEAR(found.at("growth of the neck"), 1.3, 1e-6);
+    EXPECT_LT(found.at("rms scatter of its square"), 1e-6);
+    writeNeck(1e-3);                                        // not yet 0.8 R
+    EXPECT_TRUE(std::isnan(measured("type neck; radius 1e-3; least 1.1; most 1.6;").at("growth of the neck")));
+}
+
+// Half of the particles are one drop's.
+TEST_F(CompareMotion, SpeedOfAJump)
+{
+    writeLiquid("0", ball());
+    const double leaves = 8e-3, speed = 0.04, one = radius(ball())/std::cbrt(2);
+    writeTable("extent/0/boundingBox.csv", "minZ [m]", 0.02, 1e-4, [&](double t) { return text(0.5*spacing + std::max(0.0, speed*(t - leaves))); });
+    writeTable("drop/0/liquidState.csv", "momentumZ [kg m/s]", 0.02, 1e-4, [&](double t) { return text(t < leaves ? 0 : rho*volume(ball())*speed); });
+    EXPECT_NEAR(measured("type jump; within 25;").at("speed of the jump"), speed/std::sqrt(sigma/(rho*one)), 1e-6);
+    writeTable("extent/0/boundingBox.csv", "minZ [m]", 0.02, 1e-4, [&](double) { return text(0.5*spacing); });
+    EXPECT_EQ(measured("type jump; within 25;").at("speed of the jump"), 0);
+}
+
+// Turned as a rigid body, with a strain of a tenth of its speed across, and 2 % slower at the end; the filled drop turned faster.
+TEST_F(CompareMotion, AngularMomentumAndHowRigidARotationIs)
+{
+    const std::vector<Vector3> drop = ball();
+    const Vector3 axis{10, -20, 30}, drift{1, 2, 3};
+    const auto velocities = [&](double share, double strain)
+    {
+        std::vector<Vector3> u;
+        for (const Vector3& x : drop) u.push_back(drift + share*cross(axis, x) + strain*Vector3(x.y, x.x, 0));
+        return u;
+    };
+    writeLiquid("0", drop, velocities(1.1, 0));
+    writeLiquid("0.1", drop, velocities(1, 0));
+    writeLiquid("0.2", drop, velocities(0.98, 0.98*3.741657));
+    const auto found = measured("type rigidRotation; momentumWithin 0.1; residualWithin 0.02;");
+    const double before = number(table("postProcessing/compareReference/comparison.csv").at(0).at("reference"));
+    EXPECT_NEAR(found.at("angular momentum")/before, 0.98, 1e-5);
+    // A lattice in a ball is as stiff about all axes: rms of w x r is w sqrt(2/3) of r's, of the strain sqrt(2/3) as well.
+    EXPECT_NEAR(found.at("velocity that is not rigid"), 0.1, 1e-5);
+    EXPECT_NEAR(found.at("turns"), 0.99*length(axis)*0.2/(2*std::numbers::pi), 1e-5);
+    EXPECT_NEAR(found.at("angular momentum of the settled drop"), before, 1e-9*before);
+}
+
+TEST_F(CompareMotion, RadiusOfAViscousDrop)
+{
+    write("constant/models", "bodyForce gravity;\n");
+    write("constant/g", "value (0 0 -9.81);\n");
+    writeLiquid("0", ball());
+    const double age = 0.05, off = 1.03;
+    writeTable("foot/0/crossSection.csv", "place [m],area [m2]", 0.45, 0.01, [&](double t)
+    {
+        return "6.4e-5," + text(std::numbers::pi*std::pow(off*huppertRadius(9.81, volume(ball()), nu, age + t), 2));
+    });
+    const auto found = measured("type viscousSpreading; age 0.05; within 4;");
+    EXPECT_NEAR(found.at("largest deviation of the radius"), 3, 1e-6);
+    EXPECT_NEAR(found.at("exponent of the radius"), 0.125, 1e-6);
 }
 
 }
