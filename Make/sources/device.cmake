@@ -95,7 +95,9 @@ set(SHIZUKU_DEVICE_SOURCES
     functionObjects/FlowView.C
     functionObjects/FunctionControl.C
     functionObjects/FunctionObjects.C
+    functionObjects/boundingBox/BoundingBox.C
     functionObjects/contactAngle/ContactAngleTable.C
+    functionObjects/crossSection/CrossSection.C
     functionObjects/energy/Energy.C
     functionObjects/liquidState/LiquidStateTable.C
     functionObjects/probes/Probes.C

@@ -46,7 +46,9 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     stepping/TimeStep.C
     functionObjects/FlowView.C
     functionObjects/FunctionControl.C
+    functionObjects/boundingBox/BoundingBox.C
     functionObjects/contactAngle/ContactAngleTable.C
+    functionObjects/crossSection/CrossSection.C
     functionObjects/energy/Energy.C
     functionObjects/liquidState/LiquidStateTable.C
     functionObjects/runTimeControl/RunTimeControl.C

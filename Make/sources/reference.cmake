@@ -3,8 +3,10 @@
 set(SHIZUKU_REFERENCE_SOURCES
     reference/BashforthAdams.C
     reference/CapOnWall.C
+    reference/DropImpact.C
     reference/DropOscillation.C
     reference/FlowNumbers.C
+    reference/Spreading.C
     reference/TubeMeniscus.C
     reference/ViscousDrop.C
 )

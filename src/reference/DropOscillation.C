@@ -92,4 +92,33 @@ std::optional<DampedOscillation> fitDampedOscillation
     return best;
 }
 
+std::optional<DampedOscillation> fitDecay
+(
+    const std::vector<double>& t, const std::vector<double>& y, double frequency, double expectedDamping
+)
+{
+    constexpr std::size_t fewest = 6;       // four unknowns
+    if (t.size() < fewest || t.size() != y.size()) return std::nullopt;
+
+    constexpr int steps = 60;
+    std::optional<DampedOscillation> best;
+    const auto tryOne = [&](double damping)
+    {
+        const auto fit = linearFit(t, y, frequency, damping);
+        if (fit && (!best || fit->rms < best->rms)) best = fit;
+    };
+    const double least = expectedDamping/5, most = 5*expectedDamping;
+    double ratio = std::pow(most/least, 1.0/steps);
+    for (int i = 0; i <= steps; ++i) tryOne(least*std::pow(ratio, i));
+    if (!best) return std::nullopt;
+    for (; ratio > 1 + 1e-9; ratio = std::sqrt(ratio))
+    {
+        const double centre = best->damping;
+        tryOne(centre*ratio);
+        tryOne(centre/ratio);
+    }
+    if (best->damping < 1.01*least || best->damping > 0.99*most) return std::nullopt;
+    return best;
+}
+
 }

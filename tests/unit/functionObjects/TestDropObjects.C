@@ -5,6 +5,7 @@
 
 #include "support/FlowCase.H"
 
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -85,6 +86,40 @@ TEST(Volume, IsTheMeshsAndTheParticles)
     EXPECT_TRUE(spray.table(table).starts_with("time [s],volume [m3],spray [m3],particleVolume [m3],crowded [m3],drift [%]\n"));
     EXPECT_NEAR(spray.value(table, "spray"), 3*d*d*d, 1e-6*d*d*d);
     EXPECT_EQ(spray.value(table, "volume"), flow.value(table, "volume"));
+}
+
+// Of the lattice: from half a spacing to 9.5 of them, written with nine digits.
+TEST(BoundingBox, IsThatOfTheParticles)
+{
+    FlowCase flow("extent { type boundingBox; }", onAPlane);
+    flow.step(halfBall({3, 0, 0}));
+    const std::string table = "extent/0/boundingBox.csv";
+    const std::pair<std::string, double> expected[]
+    {
+        {"minX", -6.5*d}, {"maxX", 12.5*d}, {"minY", -9.5*d}, {"maxY", 9.5*d}, {"minZ", 0.5*d}, {"maxZ", 9.5*d}
+    };
+    for (const auto& [column, value] : expected) EXPECT_NEAR(flow.value(table, column), value, 1e-5*d) << column;
+}
+
+// Layers of the half ball: as many particles as its lattice has in them, whatever the direction's length.
+TEST(CrossSection, IsThatOfTheLayers)
+{
+    const auto layer = [](int from, int to)
+    {
+        const auto places = halfBall();
+        return double(std::count_if(places.begin(), places.end(), [&](const Vec3& p) { return p.z > from && p.z < to; }));
+    };
+    const std::string table = "foot/0/crossSection.csv";
+    FlowCase thin("foot { type crossSection; normal (0 0 2); places (5.5e-3); }", onAPlane);
+    thin.step(halfBall());
+    EXPECT_NEAR(thin.value(table, "area"), layer(5, 6)*d*d, 1e-8*d*d);
+    EXPECT_NEAR(thin.value(table, "area"), pi*(100 - 5.5*5.5)*d*d, 0.02*pi*100*d*d);
+    FlowCase thick("foot { type crossSection; normal (0 0 1); places (2e-3); thickness 4e-3; }", onAPlane);
+    thick.step(halfBall());
+    EXPECT_NEAR(thick.value(table, "area"), layer(0, 4)/4*d*d, 1e-8*d*d);
+    FlowCase beside("foot { type crossSection; normal (0 0 1); places (2e-2); }", onAPlane);
+    beside.step(halfBall());
+    EXPECT_EQ(beside.value(table, "area"), 0);
 }
 
 TEST(Energy, IsThatOfTheHalfBall)

@@ -68,3 +68,24 @@ TEST(DropOscillation, FitSaysWhereThereIsNone)
     }
     EXPECT_FALSE(fitDampedOscillation(t, slow, 766));
 }
+
+TEST(DropOscillation, FitOfADecayFindsTheDamping)
+{
+    const double frequency = 190, damping = 714;
+    std::vector<double> t, y, flat;
+    for (int i = 0; i <= 40; ++i)
+    {
+        t.push_back(1e-3 + 1e-4*i);
+        y.push_back(-0.02 + 0.1*std::exp(-damping*t.back())*std::cos(frequency*t.back() - 1));
+        flat.push_back(0.3);
+    }
+    for (const double expected : {714.0, 300.0, 2000.0})
+    {
+        const auto fit = fitDecay(t, y, frequency, expected);
+        ASSERT_TRUE(fit);
+        EXPECT_NEAR(fit->damping, damping, 1e-4*damping);
+        EXPECT_NEAR(fit->mean, -0.02, 1e-6);
+    }
+    EXPECT_FALSE(fitDecay(t, y, frequency, 8*damping));       // out of its reach
+    EXPECT_FALSE(fitDecay({0, 1, 2}, {1, 2, 3}, frequency, damping));
+}

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// type oscillation;  within 2;  dampingWithin 20;
-// The period in which a free drop swings in mode 2 against that of a drop of its viscosity, in percent; so its damping, for information where
-// dampingWithin is left out. The swing is read off the particles' second moments along z and across,
-//     q = (M_zz - (M_xx + M_yy)/2)/(M_xx + M_yy + M_zz),
-// linear in a small amplitude, and fitted by a damped oscillation. The trace is written to oscillation.csv.
+// type oscillation;  within 2;  dampingWithin 20;  mode 2;
+// The period in which a free drop swings in that mode about the z axis against that of a drop of its viscosity, in percent; so its damping,
+// for information where dampingWithin is left out. The swing is read off the particles' moment of the mode's solid harmonic,
+//     q = sum r^l P_l(z/r)/sum r^l,
+// linear in a small amplitude, and fitted by a damped oscillation. A mode that is damped faster than it swings is not asked for its period:
+// its decay is fitted from 1/damping on, when what started from rest has become the mode. The trace is written to oscillation.csv.
 
 #include "Comparison.H"
 #include "core/fieldFile/CsvFile.H"
 #include "reference/DropOscillation.H"
 #include "reference/ViscousDrop.H"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,18 +21,18 @@ namespace shizuku
 namespace
 {
 
-double elongation(const std::vector<Vector3>& positions)
+double elongation(const std::vector<Vector3>& positions, int mode)
 {
     Vector3 centre{0, 0, 0};
     for (const Vector3& x : positions) centre = centre + (1.0/double(positions.size()))*x;
-    double across = 0, along = 0;
+    double moment = 0, size = 0;
     for (const Vector3& x : positions)
     {
-        const Vector3 r = x - centre;
-        across += r.x*r.x + r.y*r.y;
-        along += r.z*r.z;
+        const double r = length(x - centre), power = std::pow(r, mode);
+        if (r > 0) moment += power*std::legendre(unsigned(mode), std::clamp((x.z - centre.z)/r, -1.0, 1.0));
+        size += power;
     }
-    return (along - across/2)/(along + across);
+    return moment/size;
 }
 
 }
@@ -41,22 +43,25 @@ public:
     explicit OscillationComparison(const Dictionary& dict)
     :
         within_(dict.lookupPositive("within", dimensions::none)),
-        dampingWithin_(dict.found("dampingWithin") ? dict.lookupPositive("dampingWithin", dimensions::none) : std::nan(""))
-    {}
+        dampingWithin_(dict.found("dampingWithin") ? dict.lookupPositive("dampingWithin", dimensions::none) : std::nan("")),
+        mode_(dict.lookupOr("mode", 2))
+    {
+        if (mode_ < 2 || mode_ > 8) throw FatalInputError(dict.where("mode"), "mode is out of range", "2 to 8");
+    }
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
-        constexpr int mode = 2;
         std::vector<double> t, q;
         for (const TimeFolder& time : results.times())
         {
             t.push_back(time.value);
-            q.push_back(elongation(results.positions(time)));
+            q.push_back(elongation(results.positions(time), mode_));
         }
-        const double radius = results.radius(), inviscid = dropFrequency(mode, results.sigma, results.rho, radius);
+        const double radius = results.radius(), inviscid = dropFrequency(mode_, results.sigma, results.rho, radius);
         const DropMode exact = results.nu > 0
-          ? viscousDropMode(mode, results.nu, results.sigma, results.rho, radius) : DropMode{0, inviscid};
-        const auto fit = fitDampedOscillation(t, q, exact.frequency > 0 ? exact.frequency : inviscid);
+          ? viscousDropMode(mode_, results.nu, results.sigma, results.rho, radius) : DropMode{0, inviscid};
+        const bool swings = exact.frequency > exact.damping;
+        const auto fit = swings ? fitDampedOscillation(t, q, exact.frequency) : fitLate(t, q, exact);
         const double none = std::nan("");
         const double period = 2*std::numbers::pi/exact.frequency;          // infinite where it creeps
 
@@ -70,13 +75,20 @@ public:
 
         return
         {
-            relativeRow("period", "s", period, fit ? 2*std::numbers::pi/fit->frequency : none, within_),
+            relativeRow("period", "s", period, fit && swings ? 2*std::numbers::pi/fit->frequency : none, swings ? within_ : none),
             relativeRow("damping", "1/s", exact.damping, fit ? fit->damping : none, dampingWithin_)
         };
     }
 
 private:
+    static std::optional<DampedOscillation> fitLate(const std::vector<double>& t, const std::vector<double>& q, const DropMode& exact)
+    {
+        const auto from = std::lower_bound(t.begin(), t.end(), 1/exact.damping) - t.begin();
+        return fitDecay({t.begin() + from, t.end()}, {q.begin() + from, q.end()}, exact.frequency, exact.damping);
+    }
+
     double within_, dampingWithin_;
+    int mode_;
 };
 
 static const ComparisonTable::Add<OscillationComparison> registered{"oscillation"};

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// type jump;  within 25;
+// Two equal drops that merge on a plane z = 0 which nothing wets jump off it, at 0.2 sqrt(sigma/(rho R)), R the radius of one of them (Boreyko and Chen
+// 2009, Phys. Rev. Lett. 103, 184501; Enright et al. 2014, ACS Nano 8, 10352): the speed behind the last touch (WallTouch.H), in percent. 0 where
+// they stay.
+
+#include "Comparison.H"
+#include "WallTouch.H"
+
+#include <cmath>
+
+namespace shizuku
+{
+
+class JumpComparison : public Comparison
+{
+public:
+    explicit JumpComparison(const Dictionary& dict) : within_(dict.lookupPositive("within", dimensions::none)) {}
+
+    std::vector<ComparisonRow> compare(const CaseResults& results) const override
+    {
+        const auto touch = findWallTouch(results);
+        const double speed = touch && touch->last ? velocityBehind(results, *touch->last) : 0;
+        const double ofOne = results.capillarySpeed()*std::pow(2, 1.0/6);
+        return {relativeRow("speed of the jump", "capillary speeds", 0.2, speed/ofOne, within_)};
+    }
+
+private:
+    double within_;
+};
+
+static const ComparisonTable::Add<JumpComparison> registered{"jump"};
+
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// type partialWetting;  within 0.04;
+// A drop of squalane that touches a plane of 41 degrees at the time 0: its wetted area (WettedFoot.H) over that of the
+// cap of 41 degrees, against Lavi and Marmur 2004, rms over their nine times (reference/Spreading.H); and when it has come to the half of it. A run that
+// ends before their last time is not judged. wetting.csv holds the trace.
+
+#include "Comparison.H"
+#include "WettedFoot.H"
+#include "core/angles/Degrees.H"
+#include "core/fieldFile/CsvFile.H"
+#include "reference/Spreading.H"
+
+#include <cmath>
+#include <numbers>
+
+namespace shizuku
+{
+
+class PartialWettingComparison : public Comparison
+{
+public:
+    explicit PartialWettingComparison(const Dictionary& dict) : within_(dict.lookupPositive("within", dimensions::none)) {}
+
+    std::vector<ComparisonRow> compare(const CaseResults& results) const override
+    {
+        const double c = std::cos(radians(41)), s = std::sin(radians(41));
+        const double radius = results.radius()*s*std::cbrt(4/((2 + c)*(1 - c)*(1 - c))), final = std::numbers::pi*radius*radius;
+        const double unit = results.rho*results.nu*std::cbrt(results.liquidVolume())/results.sigma;       // s
+        SampledCurve area;
+        const SampledCurve foot = wettedArea(results);
+        for (const auto& [time, wetted] : foot.points()) area.add(time/unit, wetted/final);
+
+        const double none = std::nan("");
+        CsvFile trace
+        (
+            results.casePath()/"postProcessing/compareReference/wetting.csv", {{"time", ""}, {"area", ""}, {"measured", ""}}
+        );
+        for (const auto& [time, share] : area.points()) trace.addRow({time, share, none});
+        SampledCurve theirs;
+        double sum = 0;
+        for (const WettedShare& measured : lavi2004())
+        {
+            theirs.add(measured.time, measured.area);
+            trace.addRow({measured.time, none, measured.area});
+            sum += std::pow(area.at(measured.time) - measured.area, 2);
+        }
+        trace.write();
+        const double rms = std::sqrt(sum/double(lavi2004().size()));
+        return
+        {
+            {"rms difference of the wetted area", "", 0, rms, rms, "", within_},
+            relativeRow("time of half of it", "", theirs.firstTime(0.5), area.firstTime(0.5), none),
+            {"last wetted area", "", 1, area.points().back().second, area.points().back().second - 1, "", none}
+        };
+    }
+
+private:
+    double within_;
+};
+
+static const ComparisonTable::Add<PartialWettingComparison> registered{"partialWetting"};
+
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// type viscousSpreading;  age 0.05;  within 4;
+// A drop that gravity spreads over the plane z = 0 against viscosity alone, from the profile on that it would have had when it was that old [s]: its
+// radius against Huppert 1982 (reference/Spreading.H), the largest deviation in percent; and the exponent of the radius over the age, 1/8. The radius
+// is that of a disc of the area in table `foot`, a crossSection half a spacing above the plane. radius.csv holds the trace.
+
+#include "Comparison.H"
+#include "core/fieldFile/CsvFile.H"
+#include "maths/LinearSolve.H"
+#include "reference/Spreading.H"
+
+#include <cmath>
+#include <numbers>
+
+namespace shizuku
+{
+
+class ViscousSpreadingComparison : public Comparison
+{
+public:
+    explicit ViscousSpreadingComparison(const Dictionary& dict)
+    : age_(dict.lookupPositive("age", dimensions::time)), within_(dict.lookupPositive("within", dimensions::none)) {}
+
+    std::vector<ComparisonRow> compare(const CaseResults& results) const override
+    {
+        const CsvTable foot = results.table("foot", "crossSection.csv");
+        CsvFile trace
+        (
+            results.casePath()/"postProcessing/compareReference/radius.csv", {{"time", "s"}, {"radius", "m"}, {"exactRadius", "m"}}
+        );
+        NormalEquations<2> line;
+        double worst = 0, radius = 0, exact = 0;
+        for (std::size_t row = 0; row < foot.rows(); ++row)
+        {
+            const double time = age_ + foot.number(row, "time");
+            radius = std::sqrt(foot.number(row, "area")/std::numbers::pi);
+            exact = huppertRadius(results.gravity, results.liquidVolume(), results.nu, time);
+            trace.addRow({time, radius, exact});
+            if (!(std::abs(100*(radius/exact - 1)) <= std::abs(worst))) worst = 100*(radius/exact - 1);
+            line.add({1, std::log(time)}, std::log(radius));
+        }
+        trace.write();
+        const auto solution = line.solve();
+        const double none = std::nan("");
+        return
+        {
+            {"largest deviation of the radius", "%", 0, worst, worst, "%", within_},
+            relativeRow("last radius", "m", exact, radius, none),
+            relativeRow("exponent of the radius", "", 0.125, solution ? (*solution)[1] : none, none)
+        };
+    }
+
+private:
+    double age_, within_;
+};
+
+static const ComparisonTable::Add<ViscousSpreadingComparison> registered{"viscousSpreading"};
+
+}
