@@ -6,10 +6,12 @@
 //
 // u* is what pressure and forces have made. Implicit, so no step is too long for it, and the more viscous the liquid the more it moves as a rigid body.
 // Solved by conjugate gradients from u* on, whose every iterate has the momentum and, without walls, the angular momentum of u*. They end when
-// the residual has fallen by `tolerance`, or is what rounding leaves. nu may be zero: nothing is done then.
+// the residual is `tolerance` of the velocities and of what it was, or is what rounding leaves. nu may be zero: nothing is done then.
 //
 // Where a step is short for the liquid's nu, as it is of water, A u* does for A u: where no eigenvalue of dt A is above a quarter, which are at most 8 nu dt sum_j V k_ij.
 // Walls are implicit at all times.
+//
+// Particles go by u: x += dt (u - u*). In a step forces move those of a thick liquid by many times what its stress lets them go.
 //
 // The form that asks for one sum over the particles an iteration: Chronopoulos and Gear 1989. Its sums are of whole quanta: parts of a liquid come to the bits of the whole.
 // Trials: doc/notebook/theory/viscosity.md.
@@ -42,7 +44,7 @@ namespace
 
 // The step with A u*: u = (I + dt T)^-1 (u* - dt A u*).
 template<class Kernel>
-struct StepOnce
+struct TakeOne
 {
     static constexpr Holds holds = Holds::more;
 
@@ -146,6 +148,28 @@ struct SumResidual
     }
 };
 
+struct Copy
+{
+    Span<const Vec3> from;
+    Span<Vec3> to;
+
+    HOST_DEVICE void operator()(int i) const { to[i] = from[i]; }
+};
+
+// Particles are where their velocities bring them.
+struct MoveOn
+{
+    scalar dt;
+    Span<const Vec3> before, velocity;
+    Span<Position> position;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const Position from = position[i];
+        position[i] = withBlock(from, from + dt * (velocity[i] - before[i]));
+    }
+};
+
 struct Negate
 {
     Span<Vec3> vector;
@@ -207,12 +231,13 @@ public:
         (
             [&]<class Kernel>(const Kernel& W)
             {
+                const Step<Kernel> step{W, liquid, std::as_const(liquid.position).span(), near.view(), walls, dt};
                 forEachTeam(liquid.owned(), MeasureMoments<SlopeWeight<Kernel>>
                 {
-                    {W}, liquid.particleVolume(), liquid.position.span(), near.view(), inverse_.view()
+                    {W}, liquid.particleVolume(), step.x, step.near, inverse_.view()
                 });
-                if (dt * nu_ * stiffest_ <= 0.25f) stepOnce(W, liquid, near, walls, dt);
-                else solve(W, liquid, near, walls, dt);
+                const Buffer<Vec3> before = dt * nu_ * stiffest_ <= 0.25f ? takeOne(step) : solve(step);
+                forEach(liquid.owned(), MoveOn{dt, before.span(), std::as_const(liquid.velocity).span(), liquid.position.span()});
             },
             liquid.kernel()
         );
@@ -240,56 +265,73 @@ private:
 
     bool isHeld(const Walls& walls) const { return noSlip_ && (walls.particles() > 0 || walls.surfaces() > 0); }
 
+    // Where and between whom the stress acts.
     template<class Kernel>
-    WallDrag<Kernel> drag(const Kernel& W, Liquid& liquid, const Walls& walls, scalar dt)
+    struct Step
+    {
+        const Kernel& W;
+        Liquid& liquid;
+        Span<const Position> x;
+        NeighbourView near;
+        const Walls& walls;
+        scalar dt;
+    };
+
+    template<class Kernel>
+    WallDrag<Kernel> drag(const Step<Kernel>& at)
     {
         return
         {
-            W, liquid.spacing(), nu_, slip_, dt, std::as_const(liquid.position).span(), std::as_const(liquid.velocity).span(), walls.view(liquid),
-            {plane_.span(), W.h}, missing_ ? missing_->span() : Span<scalar>{}
+            at.W, at.liquid.spacing(), nu_, slip_, at.dt, at.x, std::as_const(at.liquid.velocity).span(), at.walls.view(at.liquid),
+            {plane_.span(), at.W.h}, missing_ ? missing_->span() : Span<scalar>{}
         };
     }
 
     // P of the vectors, of ghosts too, which have theirs.
     template<class Kernel>
-    void findStress(const Kernel& W, const Liquid& liquid, const Neighbourhood& near, const Buffer<Vec3>& vectors)
+    void findStress(const Step<Kernel>& at, const Buffer<Vec3>& vectors)
     {
-        forEachTeam(liquid.owned(), FindStress<SlopeWeight<Kernel>>
+        forEachTeam(at.liquid.owned(), FindStress<SlopeWeight<Kernel>>
         {
-            {W}, liquid.particleVolume(), nu_, liquid.position.span(), vectors.span(), near.view(), inverse_.view(), stress_.view()
+            {at.W}, at.liquid.particleVolume(), nu_, at.x, vectors.span(), at.near, inverse_.view(), stress_.view()
         });
-        for (Buffer<Vec3>* row : {&stress_.x, &stress_.y, &stress_.z}) liquid.ghosts().copy(*row);
+        for (Buffer<Vec3>* row : {&stress_.x, &stress_.y, &stress_.z}) at.liquid.ghosts().copy(*row);
+    }
+
+    // Either makes the velocities, and returns those before.
+    template<class Kernel>
+    Buffer<Vec3> takeOne(const Step<Kernel>& at)
+    {
+        findStress(at, at.liquid.velocity);
+        Buffer<Vec3> velocity(at.liquid.all());
+        forEachTeam(at.liquid.owned(), TakeOne<Kernel>
+        {
+            {at.W}, at.liquid.particleVolume(), at.dt, at.x, std::as_const(at.liquid.velocity).span(), at.near, stress_.seen(), isHeld(at.walls),
+            drag(at), velocity.span()
+        });
+        at.liquid.velocity.swap(velocity);
+        return velocity;
     }
 
     template<class Kernel>
-    void stepOnce(const Kernel& W, Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
+    Buffer<Vec3> solve(const Step<Kernel>& at)
     {
-        findStress(W, liquid, near, liquid.velocity);
-        Buffer<Vec3> velocity(liquid.all());
-        forEachTeam(liquid.owned(), StepOnce<Kernel>
-        {
-            {W}, liquid.particleVolume(), dt, liquid.position.span(), liquid.velocity.span(), near.view(), stress_.seen(), isHeld(walls),
-            drag(W, liquid, walls, dt), velocity.span()
-        });
-        liquid.velocity.swap(velocity);
-    }
-
-    template<class Kernel>
-    void solve(const Kernel& W, Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
-    {
+        Liquid& liquid = at.liquid;
+        Buffer<Vec3> start(liquid.all());
+        forEach(liquid.owned(), Copy{std::as_const(liquid.velocity).span(), start.span()});
         for (Buffer<Vec3>* vector : {&residual_, &product_, &direction_, &ofDirection_}) vector->resizeDiscarding(liquid.all());
-        const int n = liquid.owned(), held = isHeld(walls) ? liquid.all() : 0;
+        const int n = liquid.owned(), held = isHeld(at.walls) ? liquid.all() : 0;
         dragDiagonal_.resizeDiscarding(held);
         dragOther_.resizeDiscarding(held);
-        if (held) forEach(n, StoreDrag<Kernel>{drag(W, liquid, walls, dt), dragDiagonal_.span(), dragOther_.span()});
+        if (held) forEach(n, StoreDrag<Kernel>{drag(at), dragDiagonal_.span(), dragOther_.span()});
         const auto multiply = [&](Buffer<Vec3>& vector, scalar own, Buffer<Vec3>& product)
         {
             liquid.ghosts().copy(vector);
-            findStress(W, liquid, near, vector);
+            findStress(at, vector);
             forEachTeam(n, Multiply<SlopeWeight<Kernel>>
             {
-                {W}, liquid.particleVolume(), dt, own, liquid.position.span(), vector.span(), near.view(), stress_.seen(), dragDiagonal_.span(),
-                dragOther_.span(), product.span()
+                {at.W}, liquid.particleVolume(), at.dt, own, at.x, vector.span(), at.near, stress_.seen(), dragDiagonal_.span(), dragOther_.span(),
+                product.span()
             });
         };
         multiply(liquid.velocity, 0, residual_);
@@ -303,10 +345,12 @@ private:
                 reduce(n, SumResidual{residual_.span(), product_.span(), liquid.velocity.span()}, scratch_)
             );
             const double squares = ResidualSums::value(whole.squares), energy = ResidualSums::value(whole.energy);
-            // Roundings of velocities make a residual, too.
+            // No eigenvalue is below one: velocities are as near to the solution as the residual is small. That of the beginning is no measure, which noise makes as
+            // large as steps are too long for it. Roundings of velocities make one, too.
             constexpr double rounding = 4 * std::numeric_limits<scalar>::epsilon();
-            if (iteration == 0) enough = std::max(tolerance_ * tolerance_ * squares, rounding * rounding * ResidualSums::value(whole.velocities));
-            if (!(squares > enough)) return;
+            const double ofVelocities = ResidualSums::value(whole.velocities);
+            if (iteration == 0) enough = std::max(tolerance_ * tolerance_ * std::min(squares, ofVelocities), rounding * rounding * ofVelocities);
+            if (!(squares > enough)) break;
             const double beta = iteration > 0 ? squares / before : 0;
             alpha = squares / (iteration > 0 ? energy - beta * squares / alpha : energy);
             before = squares;
@@ -316,6 +360,7 @@ private:
                 ofDirection_.span(), product_.span()
             });
         }
+        return start;
     }
 
     bool noSlip_;

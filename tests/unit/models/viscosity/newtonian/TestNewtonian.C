@@ -70,11 +70,11 @@ TEST(Newtonian, KeepsMomentumAndAngularMomentum)
         const auto result = after(drop, points, velocities, 0.2f);
         const MotionSums before = motionOf(points, velocities), now = motionOf(points, result);
         EXPECT_LT(now.energy, 0.95 * before.energy) << nu;
-        // 500 velocities of order one, rounded to 6e-8 once for each of up to a hundred iterations, at distances of up to 5.
+        // 500 velocities of order one, rounded to 6e-8 once for each of up to two hundred iterations, at distances of up to 5.
         for (int c = 0; c < 3; ++c)
         {
             EXPECT_NEAR(now.momentum[c], before.momentum[c], 1e-4) << nu;
-            EXPECT_NEAR(now.angular[c], before.angular[c], 5e-4) << nu;
+            EXPECT_NEAR(now.angular[c], before.angular[c], 1e-3) << nu;
         }
     }
 }
@@ -118,6 +118,25 @@ TEST(Newtonian, PassesFromShortStepsToLongOnes)
     EXPECT_GT(taken(0.98), 0.05);
 }
 
+// Particles are where the velocities bring them that the stress has left, in short steps and in long ones.
+TEST(Newtonian, MovesParticlesByWhatItLeaves)
+{
+    const auto points = disorderedBall(5);
+    const auto velocities = randomPoints(int(points.size()), {-1, -1, -1}, {1, 1, 1}, 2);
+    for (const std::string nu : {"1e-6", "1e-2"})
+    {
+        LiquidCase drop(liquidOf(nu));
+        const scalar dt = 0.1f;
+        const auto result = after(drop, points, velocities, dt);
+        const auto x = drop.inOrder(drop.liquid.position);
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            // Places of up to 5 spacings, in floats here.
+            ASSERT_LT(norm(x[i] - drop.liquid.spacing() * points[i] - dt * (result[i] - velocities[i])), 5e-6f) << nu;
+        }
+    }
+}
+
 // The form is never below zero: no velocities gain energy, whatever they are, and however the particles lie.
 TEST(Newtonian, NeverGivesEnergy)
 {
@@ -153,12 +172,14 @@ TEST(Newtonian, FlowsBetweenWallsAsPoiseuilleHasIt)
         const auto model = Viscosity::New(Dictionary::parse("viscosity newtonian;"), gap.liquid);
         const scalar nu = scaledNu(gap), height = 8 * gap.liquid.spacing(), dt = height * height / nu;
         const scalar pull = 8 * nu / (height * height);                 // for a velocity of 1 amid the gap
+        const auto places = gap.liquid.position.download();              // where they stay, so that steps may be as long
         for (int step = 0; step < 6; ++step)
         {
             auto velocity = gap.liquid.velocity.download();
             for (Vec3& u : velocity) u.x += pull * dt;
             gap.liquid.velocity.upload(velocity);
             model->apply(gap.liquid, gap.near, gap.walls, dt);
+            gap.liquid.position.upload(places);
         }
         const auto result = gap.inOrder(gap.liquid.velocity);
         double worst = 0, mean = 0, expected = 0;
