@@ -3,6 +3,7 @@
 set(SHIZUKU_REFERENCE_SOURCES
     reference/BashforthAdams.C
     reference/CapOnWall.C
+    reference/CapillaryWave.C
     reference/DropImpact.C
     reference/DropOscillation.C
     reference/FlowNumbers.C

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // type neck;  radius 1e-3;  least 1.1;  most 1.6;
-// The neck of two drops of that radius [m] that merge along x about x = 0, by table `neck`, a crossSection there: where it is between 0.4 and 0.8
-// radii it grows as r = C (sigma R/rho)^(1/4) t^(1/2), and C is the slope of r^2 by least squares, so that it does not matter when they met. Told
+// The neck of two drops of that radius [m] that merge along x about x = 0, by table `neck`, a crossSection there: from 0.3 radii, but not less than
+// two and a half spacings, to 0.75 it grows as r = C (sigma R/rho)^(1/4) t^(1/2), and C is the slope of r^2 by least squares, so that it does not
+// matter when they met. Told
 // besides: by how much r^2 scatters about the line. Experiments and computations have C from 1.1 to 1.6. neck.csv holds the trace.
 
 #include "Comparison.H"
 #include "core/fieldFile/CsvFile.H"
 #include "maths/LinearSolve.H"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -32,13 +34,14 @@ public:
             results.casePath()/"postProcessing/compareReference/neck.csv", {{"time", "capillary times"}, {"radius", "radii"}}
         );
         std::vector<std::pair<double, double>> points;      // t/tau, (r/R)^2
+        const double from = std::max(0.3, 2.5*results.spacing/radius_);
         bool passed = false;
         for (std::size_t row = 0; row < neck.rows(); ++row)
         {
             const double t = neck.number(row, "time")/tau, square = neck.number(row, "area")/(std::numbers::pi*radius_*radius_);
             trace.addRow({t, std::sqrt(square)});
-            if (square > 0.8*0.8) passed = true;
-            if (!passed && square > 0.4*0.4) points.emplace_back(t, square);
+            if (square > 0.75*0.75) passed = true;
+            if (!passed && square > from*from) points.emplace_back(t, square);
         }
         trace.write();
 

@@ -2,7 +2,7 @@
 // type rigidRotation;  momentumWithin 0.1;  residualWithin 0.02;
 // A free drop that turns: its angular momentum about its centroid at the last written time against that at the first one behind the start, in
 // percent, by positions and velocities; and what is left of the velocities at the last one when the rigid motion that fits best is taken
-// off, rms, over the rms of that. Told besides: the turns by that motion's speed, and what the filling's settlement took.
+// off, rms, over the rms of that. Told besides: the turns by that motion's speed, and the angular momentum at that first time against that as filled.
 
 #include "Comparison.H"
 #include "caseFiles/VectorField.H"
@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace shizuku
 {
@@ -80,7 +81,12 @@ public:
         const Rotation filled = rotationOf(results, times.front()), first = rotationOf(results, times[1]), last = rotationOf(results, times.back());
         const double none = std::nan("");
         const double unit = results.rho*results.particleVolume();           // kg
-        const double turns = 0.5*(first.speed + last.speed)*(times.back().value - times.front().value)/(2*std::numbers::pi);
+        double turns = 0, speed = filled.speed;
+        for (std::size_t i = 1; i < times.size(); ++i)
+        {
+            const double before = std::exchange(speed, rotationOf(results, times[i]).speed);
+            turns += 0.5*(before + speed)*(times[i].value - times[i - 1].value)/(2*std::numbers::pi);
+        }
         const double off = length(last.momentum - first.momentum)/length(first.momentum);
         return
         {
@@ -90,7 +96,7 @@ public:
             absoluteRow("velocity that is not rigid", "", 0, last.residual/last.rigid, residualWithin_),
             {"turns", "", none, turns, none, "", none},
             {
-                "angular momentum of the settled drop", "kg m2/s", unit*length(filled.momentum), unit*length(first.momentum),
+                "angular momentum at the first time", "kg m2/s", unit*length(filled.momentum), unit*length(first.momentum),
                 100*(length(first.momentum)/length(filled.momentum) - 1), "%", none
             }
         };
