@@ -14,7 +14,12 @@ function(shizuku_library name)
     target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
     target_compile_options(${name} PRIVATE ${SHIZUKU_HOST_FLAGS})
     target_link_libraries(${name} PUBLIC ${ARG_LINK})
-    target_precompile_headers(${name} PRIVATE ${SHIZUKU_PRECOMPILED})
+    set_target_properties(${name} PROPERTIES DEFINE_SYMBOL "")         # flags as of the other libraries, whose headers are compiled once
+    if(NOT TARGET shizukuCore OR name STREQUAL shizukuCore)
+        target_precompile_headers(${name} PRIVATE ${SHIZUKU_PRECOMPILED})
+    elseif(NOT ARG_LINK MATCHES "CGAL|VTK")                             # which bring flags of their own
+        target_precompile_headers(${name} REUSE_FROM shizukuCore)
+    endif()
 endfunction()
 
 # A host application, found in applications/<path>/<name>/.

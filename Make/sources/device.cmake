@@ -94,6 +94,7 @@ set(SHIZUKU_DEVICE_SOURCES
     functionObjects/FlowView.C
     functionObjects/FunctionControl.C
     functionObjects/FunctionObjects.C
+    functionObjects/ModelList.C
     functionObjects/contactAngle/ContactAngleTable.C
     functionObjects/energy/Energy.C
     functionObjects/liquidState/LiquidStateTable.C

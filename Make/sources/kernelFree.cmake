@@ -46,6 +46,7 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     stepping/TimeStep.C
     functionObjects/FlowView.C
     functionObjects/FunctionControl.C
+    functionObjects/ModelList.C
     functionObjects/contactAngle/ContactAngleTable.C
     functionObjects/energy/Energy.C
     functionObjects/liquidState/LiquidStateTable.C

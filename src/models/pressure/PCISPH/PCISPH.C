@@ -103,7 +103,7 @@ private:
     AverageCompression compression_;
 };
 
-const PressureTable::Add<PCISPH> registered{"PCISPH"};
+const PressureTable::Add<PCISPH> registered{"PCISPH", "predictive-corrective incompressible SPH (Solenthaler and Pajarola 2009)"};
 
 }
 

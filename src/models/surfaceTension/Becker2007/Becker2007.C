@@ -52,7 +52,7 @@ public:
     {}
 };
 
-const SurfaceTensionTable::Add<Becker2007> registered{"Becker2007"};
+const SurfaceTensionTable::Add<Becker2007> registered{"Becker2007", "cohesion in proportion to the kernel (Becker and Teschner 2007)"};
 
 }
 

@@ -50,7 +50,7 @@ public:
     {}
 };
 
-const SurfaceTensionTable::Add<Tartakovsky2005> registered{"Tartakovsky2005"};
+const SurfaceTensionTable::Add<Tartakovsky2005> registered{"Tartakovsky2005", "pair force that repels near by and attracts from afar (Tartakovsky and Meakin 2005)"};
 
 }
 

@@ -184,7 +184,7 @@ private:
     Buffer<Vec3> remainder_, again_;
 };
 
-const VelocityFilterTable::Add<Affine> registered{"affine"};
+const VelocityFilterTable::Add<Affine> registered{"affine", "takes out what is not linear in space around two particles"};
 
 }
 
