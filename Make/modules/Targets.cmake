@@ -3,14 +3,23 @@
 
 # A host library (shared: models and tables register themselves when it is loaded).
 #     shizuku_library(shizukuCore SOURCES a.C b.C LINK Boost::program_options)
+# ALONE: those of its sources that are compiled by themselves.
 function(shizuku_library name)
-    cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "SOURCES;ALONE;LINK" ${ARGN})
     list(TRANSFORM ARG_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/src/)
+    list(TRANSFORM ARG_ALONE PREPEND ${PROJECT_SOURCE_DIR}/src/)
+    shizuku_together(ARG_SOURCES ${name} ALONE ${ARG_ALONE})
     add_library(${name} SHARED ${ARG_SOURCES})
     set_source_files_properties(${ARG_SOURCES} PROPERTIES LANGUAGE CXX)
     target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
     target_compile_options(${name} PRIVATE ${SHIZUKU_HOST_FLAGS})
     target_link_libraries(${name} PUBLIC ${ARG_LINK})
+    set_target_properties(${name} PROPERTIES DEFINE_SYMBOL "")         # flags as of the other libraries, whose headers are compiled once
+    if(NOT TARGET shizukuCore OR name STREQUAL shizukuCore)
+        target_precompile_headers(${name} PRIVATE ${SHIZUKU_PRECOMPILED})
+    elseif(NOT ARG_LINK MATCHES "CGAL|VTK")                             # which bring flags of their own
+        target_precompile_headers(${name} REUSE_FROM shizukuCore)
+    endif()
 endfunction()
 
 # A host application, found in applications/<path>/<name>/.

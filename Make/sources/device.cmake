@@ -96,6 +96,7 @@ set(SHIZUKU_DEVICE_SOURCES
     functionObjects/FunctionControl.C
     functionObjects/FunctionObjects.C
     functionObjects/boundingBox/BoundingBox.C
+    functionObjects/ModelList.C
     functionObjects/contactAngle/ContactAngleTable.C
     functionObjects/crossSection/CrossSection.C
     functionObjects/energy/Energy.C

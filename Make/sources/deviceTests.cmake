@@ -74,6 +74,12 @@ set(SHIZUKU_DEVICE_TESTS
     walls/TestWallView.C
     walls/TestWalls.C
 )
+# Headers that most of them include, compiled once. Paths below tests/.
+set(SHIZUKU_DEVICE_TEST_HEADERS
+    support/FlowCase.H
+    support/LiquidCase.H
+    support/PairReference.H
+)
 # What they share, with their main. Paths below tests/.
 set(SHIZUKU_DEVICE_TEST_SUPPORT
     support/DeviceMain.C

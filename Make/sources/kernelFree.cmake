@@ -47,6 +47,7 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     functionObjects/FlowView.C
     functionObjects/FunctionControl.C
     functionObjects/boundingBox/BoundingBox.C
+    functionObjects/ModelList.C
     functionObjects/contactAngle/ContactAngleTable.C
     functionObjects/crossSection/CrossSection.C
     functionObjects/energy/Energy.C

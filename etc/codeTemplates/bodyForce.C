@@ -63,7 +63,7 @@ private:
     double magnitude_;                  // m/s2
 };
 
-const BodyForceTable::Add<@class@> registered{"@word@"};
+const BodyForceTable::Add<@class@> registered{"@word@", "what it does, in a line"};
 
 }
 

@@ -41,7 +41,7 @@ private:
     CsvFile table_;
 };
 
-const FunctionObjectTable::Add<@class@> registered{"@word@"};
+const FunctionObjectTable::Add<@class@> registered{"@word@", "what it does, in a line"};
 
 }
 

@@ -66,7 +66,7 @@ private:
     scalar strength_;
 };
 
-const ParticleShiftingTable::Add<@class@> registered{"@word@"};
+const ParticleShiftingTable::Add<@class@> registered{"@word@", "what it does, in a line"};
 
 }
 

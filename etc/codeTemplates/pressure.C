@@ -64,7 +64,7 @@ private:
     Buffer<Position> corrected_;
 };
 
-const PressureTable::Add<@class@> registered{"@word@"};
+const PressureTable::Add<@class@> registered{"@word@", "what it does, in a line"};
 
 }
 

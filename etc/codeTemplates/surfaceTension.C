@@ -67,7 +67,7 @@ private:
     scalar stiffness_;                  // scaled
 };
 
-const SurfaceTensionTable::Add<@class@> registered{"@word@"};
+const SurfaceTensionTable::Add<@class@> registered{"@word@", "what it does, in a line"};
 
 }
 

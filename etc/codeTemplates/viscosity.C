@@ -43,7 +43,7 @@ private:
     scalar rate_;                       // scaled
 };
 
-const ViscosityTable::Add<@class@> registered{"@word@"};
+const ViscosityTable::Add<@class@> registered{"@word@", "what it does, in a line"};
 
 }
 

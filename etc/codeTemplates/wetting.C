@@ -55,7 +55,7 @@ private:
     scalar strength_;                   // scaled
 };
 
-const WettingTable::Add<@class@> registered{"@word@"};
+const WettingTable::Add<@class@> registered{"@word@", "what it does, in a line"};
 
 }
 

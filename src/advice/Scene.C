@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "advice/Scene.H"
 
+#include "core/angles/Degrees.H"
 #include "models/smoothing/SmoothingShare.H"
 #include "reference/CapillaryStep.H"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace shizuku
 {
@@ -13,6 +15,8 @@ namespace shizuku
 namespace
 {
 
+constexpr double flattest = 5;              // degrees: thinner caps are films
+constexpr std::size_t mostLookedAt = 200;   // bodies, the largest
 constexpr double smallestBond = 0.05;       // (R/l)^2, below which a drop on a wall is that of no gravity
 
 }
@@ -85,6 +89,7 @@ SceneAnswer Scene::answer() const
     {
         return {"", 0, "none that a stored study has: liquid starts with the energy to leave its wall"};
     }
+    if (mayMeet()) return {"", 0, "none that a stored study has: bodies of liquid may meet"};
     const std::string angle = theta() ? number(*theta()) + " degrees" : "";
     if (isTube() && length(gravity) > 0 && theta()) return {"meniscus", *theta(), "meniscus at " + angle};
     const double ofRadius = bond/4;
@@ -114,6 +119,33 @@ std::optional<CapStart> Scene::start(const SceneBody& body, double nu) const
         capAngleOf(body.footing->layer/body.liquid.volume, body.footing->depth/R), *wall.theta,
         density*pressing*R*R/surfaceTension, nu*std::sqrt(density/(surfaceTension*R))
     };
+}
+
+bool Scene::mayMeet() const
+{
+    // How far liquid reaches to the side from the middle of its body: as it is, or as a cap at its contact angle.
+    const auto reach = [&](const SceneBody& body)
+    {
+        const Vector3 size = body.liquid.size();
+        const double now = 0.5*std::max({size.x, size.y, size.z});
+        if (walls.empty() || !theta()) return now;
+        const double angle = radians(std::max(*theta(), flattest)), c = std::cos(angle);
+        const double R = std::cbrt(3*body.liquid.volume/(std::numbers::pi*(2 + c)*(1 - c)*(1 - c)));
+        return std::max(now, c > 0 ? R*std::sin(angle) : R);
+    };
+    const std::size_t looked = std::min(bodies.size(), mostLookedAt);
+    for (std::size_t i = 0; i < looked; ++i)
+    {
+        for (std::size_t j = 0; j < i; ++j)
+        {
+            const SeparateBody &a = bodies[i].liquid, &b = bodies[j].liquid;
+            const Vector3 apart = 0.5*(a.low + a.high - b.low - b.high), approach = a.velocity - b.velocity;
+            const double speed2 = dot(approach, approach);
+            const double nearest = speed2 > 0 ? std::clamp(-dot(apart, approach)/speed2, 0.0, duration) : 0;      // s
+            if (length(apart + nearest*approach) < reach(bodies[i]) + reach(bodies[j]) + support*spacing) return true;
+        }
+    }
+    return false;
 }
 
 bool Scene::mayJumpOff(const SceneBody& body) const

@@ -73,7 +73,8 @@ void TrialCase::make(const std::vector<CaseChange>& changes)
         fs::create_directory_symlink(fs::absolute(entry.path()), name);
     }
     changeCase(path_, changes, false);
-    const auto times = timeFolders(case_);
+    startsAnew_ = returnToStart();
+    const auto times = timeFolders(path_);
     const bool filled = !times.empty() && fs::exists(times.back().path/"liquid");
     const bool anew = std::any_of(changes.begin(), changes.end(), [](const CaseChange& c) { return c.entry == "spacing"; });
     if (!filled || anew) refill();
@@ -82,6 +83,19 @@ void TrialCase::make(const std::vector<CaseChange>& changes)
     withoutSolid_ = useSolidParticles(path_) &&
         (!haveSolidParticles(path_) || findInstance(path_, start, "solid/theta").empty());
     if (withoutSolid_) leaveOutSolid();
+}
+
+// Of a run that is over no time is left: what there is to be said of it is of its beginning.
+bool TrialCase::returnToStart() const
+{
+    constexpr double digits = 1e-9;
+    const auto times = timeFolders(path_);
+    if (times.size() < 2 || !fs::exists(times.front().path/"liquid")) return false;
+    const double endTime = Dictionary::read(path_/"system/controlDict").lookupDimensioned("endTime", dimensions::time);
+    if (endTime*(1 - digits) > times.back().value) return false;
+    for (std::size_t i = 1; i < times.size(); ++i) fs::remove(path_/times[i].name);
+    changeCase(path_, {{"system/controlDict", "startFrom", "firstTime"}}, false);
+    return true;
 }
 
 TrialCase::~TrialCase()

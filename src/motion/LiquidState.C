@@ -21,7 +21,7 @@ HOST_DEVICE void LiquidSums::add(const LiquidSums& other)
 namespace
 {
 
-struct SumsOfParticle
+struct StateOfParticle
 {
     Span<const Position> position;
     Span<const Vec3> velocity;
@@ -49,7 +49,7 @@ LiquidState LiquidStateMeter::measure(const Liquid& liquid)
     const int n = liquid.owned();
     const LiquidSums sums = reduce
     (
-        n, SumsOfParticle{liquid.position.span(), liquid.velocity.span(), liquid.density.span()}, scratch_
+        n, StateOfParticle{liquid.position.span(), liquid.velocity.span(), liquid.density.span()}, scratch_
     );
     const Units& units = liquid.units();
     const LiquidProperties& p = liquid.properties();

@@ -37,7 +37,8 @@ std::string describe(const FlowScales& scales)
     const FlowNumbers n = flowNumbers(scales);
     const bool tension = scales.surfaceTension > 0, viscous = scales.viscosity > 0;
     std::ostringstream text;
-    if (tension) text << "Bond number rho g D^2/sigma " << n.bond << ", Weber number rho U^2 D/sigma " << n.weber;
+    if (tension && !std::isnan(scales.gravity)) text << "Bond number rho g D^2/sigma " << n.bond << ", ";
+    if (tension) text << "Weber number rho U^2 D/sigma " << n.weber;
     if (tension && viscous)
     {
         text << ", Ohnesorge number nu sqrt(rho/(sigma D)) " << n.ohnesorge << ", capillary number rho nu U/sigma "

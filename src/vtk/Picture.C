@@ -56,6 +56,16 @@ struct Stage
     Vector3 direction(double x, double y, double z) const { return normalized(x*right + y*up + z*front); }
 };
 
+std::vector<Vector3> cornersOf(const Bounds& box)
+{
+    std::vector<Vector3> corners;
+    for (int i = 0; i < 8; ++i)
+    {
+        corners.push_back({i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z});
+    }
+    return corners;
+}
+
 void addSurroundings(vtkOpenGLRenderer& renderer, const Stage& stage)
 {
     renderer.UseImageBasedLightingOn();
@@ -84,7 +94,7 @@ double halfHeight(const Stage& stage, const std::vector<Vector3>& seen, const Pi
 {
     const double aspect = double(view.width)/view.height;
     if (view.extent) return *view.extent/(2*aspect);
-    constexpr double filled = 0.64;     // of the picture, by the liquid
+    constexpr double filled = 0.64;     // of the picture, by the frame
     const Vector3 viewUp = std::cos(elevation)*stage.up - std::sin(elevation)*stage.front;
     double half = 0;
     for (const Vector3& p : seen)
@@ -97,11 +107,11 @@ double halfHeight(const Stage& stage, const std::vector<Vector3>& seen, const Pi
 
 void aimCamera
 (
-    vtkRenderer& renderer, const Stage& stage, const std::vector<Vector3>& seen, const PictureView& view
+    vtkRenderer& renderer, const Stage& stage, const std::vector<Vector3>& seen, const PictureView& view, bool hangs
 )
 {
     using Kind = PictureView::Kind;
-    const double elevation = radians(view.kind == Kind::side ? 3 : view.kind == Kind::above ? 55 : 20);
+    const double elevation = (hangs ? -1 : 1)*radians(view.kind == Kind::side ? 3 : view.kind == Kind::above ? 55 : 20);
     const double opening = 24;      // degrees, of the picture's height
     const double distance = halfHeight(stage, seen, view, elevation)/std::tan(radians(opening/2));
     const Vector3 position = stage.centre + distance*stage.direction(0, std::sin(elevation), std::cos(elevation));
@@ -154,16 +164,19 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
 {
     const std::vector<Vector3>& seen = scene.liquid.vertices.empty() ? scene.particles : scene.liquid.vertices;
     if (seen.empty()) throw FatalError("There is no liquid to be seen in " + file.string());
-    const Stage stage(seen, scene.up, view);
+    const std::vector<Vector3> framed = view.frame ? cornersOf(*view.frame) : seen;
+    const Stage stage(framed, scene.up, view);
+    const bool hangs = scene.floor && dot(scene.floor->normal, scene.up) < -0.5;        // more than it leans
 
     vtkNew<vtkOpenGLRenderer> renderer;
     renderer->GradientBackgroundOn();
     renderer->SetBackground(0.97, 0.975, 0.98);
     renderer->SetBackground2(0.76, 0.84, 0.91);
     renderer->AutomaticLightCreationOff();
-    const Vector3 keyLight = stage.direction(-0.5, 1.0, 0.45);
+    const double open = hangs ? -1 : 1;                 // the side of the wall where the liquid is
+    const Vector3 keyLight = stage.direction(-0.5, open, 0.45);
     addLight(*renderer, stage, keyLight, 1.0);
-    addLight(*renderer, stage, stage.direction(0.8, 0.5, 0.6), 0.4);
+    addLight(*renderer, stage, stage.direction(0.8, 0.5*open, 0.6), 0.4);
 
     if (!scene.liquid.faces.empty())
     {
@@ -186,7 +199,7 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
     window->SetMultiSamples(0);
     window->SetSize(oversampling*view.width, oversampling*view.height);
     window->AddRenderer(renderer);
-    aimCamera(*renderer, stage, seen, view);
+    aimCamera(*renderer, stage, framed, view, hangs);
     window->Render();
     writePng(*window, file);
 }

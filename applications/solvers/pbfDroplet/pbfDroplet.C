@@ -13,6 +13,7 @@
 #include "core/time/CaseLock.H"
 #include "device/DeviceApplication.H"
 #include "functionObjects/FunctionObjects.H"
+#include "functionObjects/ModelList.H"
 #include "stepping/DryRun.H"
 #include "stepping/TimeStep.H"
 
@@ -103,7 +104,8 @@ extern "C" int runOnDevice(int argc, char** argv)
                 {"dry-run", "", "read and check everything, print memory and cost, run nothing", ""},
                 {"profile", "", "print what each kernel took, per sub-step, at the end", ""},
                 {"noFunctionObjects", "", "leave out the function objects of system/controlDict", ""}
-            }
+            },
+            .models = modelList
         },
         pbfDroplet
     );

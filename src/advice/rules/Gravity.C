@@ -2,7 +2,7 @@
 // Does the answer need gravity?
 //
 // Of a body that stands on a level plane: the change of its height against the spherical cap of the same volume and
-// contact angle, by the exact profile of Bashforth and Adams (1883; src/reference/BashforthAdams.H). Of a free body: how far
+// contact angle (of all bodies in one, where they may meet), by the exact profile of Bashforth and Adams (1883; src/reference/BashforthAdams.H). Of a free body: how far
 // it falls in the time of the run over its diameter, g t^2/(2 D). Bodies that have to fall first, or stand on anything else,
 // need it.
 
@@ -57,6 +57,13 @@ public:
     }
 
 private:
+    static double volumeOfAll(const Scene& scene)
+    {
+        double volume = 0;
+        for (const SceneBody& body : scene.bodies) volume += body.liquid.volume;
+        return volume;
+    }
+
     static Effect effectOn(const Scene& scene, const SceneBody& body)
     {
         const double g = length(scene.availableGravity), D = body.liquid.diameter();
@@ -82,8 +89,9 @@ private:
             return {infinite, "the walls are no level plane of known contact angle: weight moves the liquid along them"};
         }
         const double l = std::sqrt(scene.surfaceTension/(scene.density*g));
-        const double heavy = bashforthAdamsOfVolume(body.liquid.volume, l, *wall.theta).height();
-        const double light = bashforthAdamsOfVolume(body.liquid.volume, infinite, *wall.theta).height();
+        const double volume = scene.mayMeet() ? volumeOfAll(scene) : body.liquid.volume;
+        const double heavy = bashforthAdamsOfVolume(volume, l, *wall.theta).height();
+        const double light = bashforthAdamsOfVolume(volume, infinite, *wall.theta).height();
         const double effect = std::abs(heavy/light - 1);
         return
         {

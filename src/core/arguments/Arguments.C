@@ -27,6 +27,7 @@ std::vector<Option> allOptions(const ApplicationInfo& info)
 {
     std::vector<Option> options = info.options;
     options.push_back({"case", "DIR", "Case directory instead of the current folder", ""});
+    if (info.models) options.push_back({"listModels", "", "Print the models that a case may choose, each with a line, and stop", ""});
     options.push_back({"help", "", "Print this text and stop; so does -h", ""});
     options.push_back({"version", "", "Print the version and stop", ""});
     std::sort
@@ -207,6 +208,12 @@ Arguments::Arguments(int argc, const char* const* argv, const ApplicationInfo& i
     if (found("version"))
     {
         std::cout << "Shizuku " << versionText() << "\n";
+        std::exit(EXIT_SUCCESS);
+    }
+
+    if (info_.models && found("listModels"))
+    {
+        std::cout << info_.models();
         std::exit(EXIT_SUCCESS);
     }
 

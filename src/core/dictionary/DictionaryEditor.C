@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dictionary/DictionaryEditor.H"
 #include "core/dictionary/DictionaryGrammar.H"
+#include "core/dictionary/DictionaryWriter.H"
 #include "core/dictionary/EntryPath.H"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace
 {
 
 // Where values start, counted from the keyword, without a neighbour to follow.
-constexpr std::size_t valueColumn = 16;
 
 std::string trimmed(const std::string& text)
 {

@@ -15,7 +15,7 @@ namespace shizuku
 namespace
 {
 
-std::string quoted(const std::string& text)
+std::string jsonString(const std::string& text)
 {
     std::ostringstream result;
     result << '"';
@@ -38,11 +38,11 @@ std::string numberOrString(const std::string& text)
     try
     {
         const double value = std::stod(text);
-        return std::isfinite(value) ? numberText(value) : quoted(text);
+        return std::isfinite(value) ? numberText(value) : jsonString(text);
     }
     catch (const std::out_of_range&)
     {
-        return quoted(text);
+        return jsonString(text);
     }
 }
 
@@ -71,7 +71,7 @@ void writeObject(std::ostream& stream, const Tree& dictionary, int depth)
     stream << '{';
     for (const auto& [key, entry] : dictionary)
     {
-        stream << separator << indent << "    " << quoted(key) << ": ";
+        stream << separator << indent << "    " << jsonString(key) << ": ";
         writeNode(stream, entry, depth + 1);
         separator = ",\n";
     }
@@ -88,13 +88,13 @@ void writeNode(std::ostream& stream, const Tree& node, int depth)
         case NodeKind::list: writeArray(stream, node, 1, depth); break;
         case NodeKind::uniformList: writeArray(stream, node, std::stoul(data.text), depth); break;
         case NodeKind::number: stream << numberOrString(data.text); break;
-        case NodeKind::dimensions: stream << quoted("[" + data.text + "]"); break;
+        case NodeKind::dimensions: stream << jsonString("[" + data.text + "]"); break;
         case NodeKind::entry:
             if (node.empty()) stream << "null";
             else if (node.size() == 1) writeNode(stream, node.front().second, depth);
             else writeArray(stream, node, 1, depth);
             break;
-        default: stream << quoted(data.text);
+        default: stream << jsonString(data.text);
     }
 }
 

@@ -10,7 +10,6 @@ namespace shizuku
 namespace
 {
 
-constexpr std::size_t valueColumn = 16;
 constexpr std::size_t itemsPerLine = 10;    // longer lists stand one item a line
 
 std::string indentation(int depth)

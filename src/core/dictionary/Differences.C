@@ -24,7 +24,7 @@ void compareEntries(Tree* before, Tree* after, const std::string& path, std::vec
     {
         for (const auto& [key, entry] : dictionary)
         {
-            const auto find = [&](Tree* tree) { return tree ? findSameKeyword(*tree, key, entry.data().style) : nullptr; };
+            const auto find = [&key = key, &entry = entry](Tree* tree) { return tree ? findSameKeyword(*tree, key, entry.data().style) : nullptr; };
             if (onlyNew && find(before)) continue;
             compare(find(before), find(after), path.empty() ? key : path + "." + key, changes);
         }

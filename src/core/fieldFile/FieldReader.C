@@ -12,7 +12,7 @@ namespace shizuku
 namespace
 {
 
-constexpr std::size_t portion = 1 << 14;        // elements
+constexpr std::size_t atOnce = 1 << 14;        // elements
 
 // The text in two: what the dictionary reads, and where the values stand.
 struct FieldText
@@ -161,14 +161,14 @@ std::size_t FieldReader::elements() const
 void FieldReader::read(std::size_t elements, const Take& take) const
 {
     const std::size_t components = componentsOf(type_);
-    std::vector<double> values(std::min(portion, elements) * components);
+    std::vector<double> values(std::min(atOnce, elements) * components);
     if (uniform_)
     {
         for (std::size_t i = 0; i < values.size(); ++i) values[i] = values_[i % components];
     }
-    for (std::size_t first = 0; first < elements; first += portion)
+    for (std::size_t first = 0; first < elements; first += atOnce)
     {
-        const std::size_t count = std::min(portion, elements - first) * components;
+        const std::size_t count = std::min(atOnce, elements - first) * components;
         if (binary_) binary_->read(first, {values.data(), count});
         const double* const there = binary_ || uniform_ ? values.data() : values_.data() + first * components;
         take(first, {there, count});

@@ -9,11 +9,9 @@ namespace shizuku
 namespace
 {
 
-constexpr double tolerance = 1e-6;      // of deltaT
-
 long intervalsUntil(const TimeState& state, long step, double interval)
 {
-    const double nearest = state.at(step) + (0.5 + tolerance) * state.deltaT;
+    const double nearest = state.at(step) + (0.5 + TimeState::tolerance) * state.deltaT;
     return static_cast<long>(std::floor(nearest / interval));
 }
 

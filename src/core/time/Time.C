@@ -21,8 +21,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr double tolerance = 1e-6;      // of deltaT: steps that differ by less fall on the same time
-
 // Before hours of computing, not at the first write.
 void requireWritable(const fs::path& casePath)
 {
@@ -77,7 +75,7 @@ TimeFolder findStart(const fs::path& casePath, const Controls& controls, const D
 
 void checkEnd(const Controls& controls, const Dictionary& dict, double startTime)
 {
-    if (controls.endTime > startTime - tolerance * controls.deltaT) return;
+    if (controls.endTime > startTime - TimeState::tolerance * controls.deltaT) return;
     throw FatalInputError
     (
         dict.where("endTime"), "endTime is before the start time of the run",
@@ -152,7 +150,7 @@ bool Time::intervalIsOver() const
 
 bool Time::beforeEnd() const
 {
-    return state_.value < controls_.endTime - tolerance * state_.deltaT;
+    return state_.value < controls_.endTime - TimeState::tolerance * state_.deltaT;
 }
 
 bool Time::running() const

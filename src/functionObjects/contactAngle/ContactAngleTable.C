@@ -60,7 +60,7 @@ private:
     CsvFile table_;
 };
 
-const FunctionObjectTable::Add<ContactAngleTable> registered{"contactAngle"};
+const FunctionObjectTable::Add<ContactAngleTable> registered{"contactAngle", "contact angles, radius, height and volume of every drop on a wall"};
 
 }
 

@@ -74,7 +74,7 @@ private:
     CsvFile table_;
 };
 
-const FunctionObjectTable::Add<Energy> registered{"energy"};
+const FunctionObjectTable::Add<Energy> registered{"energy", "kinetic, surface and potential energy"};
 
 }
 

@@ -55,7 +55,7 @@ private:
     CsvFile table_;
 };
 
-const FunctionObjectTable::Add<LiquidStateTable> registered{"liquidState"};
+const FunctionObjectTable::Add<LiquidStateTable> registered{"liquidState", "volume, energy, speeds, centroid, momentum and density error of all liquid"};
 
 }
 

@@ -173,7 +173,7 @@ private:
     Buffer<ProbeSums> scratch_;
 };
 
-const FunctionObjectTable::Add<Probes> registered{"probes"};
+const FunctionObjectTable::Add<Probes> registered{"probes", "values of the liquid at fixed points"};
 
 }
 

@@ -197,7 +197,7 @@ private:
     std::optional<double> asked_;           // s, when the end was first asked for
 };
 
-const FunctionObjectTable::Add<RunTimeControl> registered{"runTimeControl"};
+const FunctionObjectTable::Add<RunTimeControl> registered{"runTimeControl", "ends the run when a condition is satisfied"};
 
 }
 

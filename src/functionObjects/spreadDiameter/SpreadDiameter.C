@@ -68,7 +68,7 @@ private:
     CsvFile table_;
 };
 
-const FunctionObjectTable::Add<SpreadDiameter> registered{"spreadDiameter"};
+const FunctionObjectTable::Add<SpreadDiameter> registered{"spreadDiameter", "how far the liquid has spread on each wall"};
 
 }
 

@@ -60,7 +60,7 @@ private:
     bool begun_ = false;
 };
 
-const FunctionObjectTable::Add<StepTime> registered{"stepTime"};
+const FunctionObjectTable::Add<StepTime> registered{"stepTime", "wall-clock time of each step"};
 
 }
 

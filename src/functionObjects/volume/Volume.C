@@ -61,7 +61,7 @@ private:
     CsvFile table_;
 };
 
-const FunctionObjectTable::Add<Volume> registered{"volume"};
+const FunctionObjectTable::Add<Volume> registered{"volume", "the liquid's volume"};
 
 }
 

@@ -272,6 +272,52 @@ TEST_F(DropCase, RenderCaseLooksWhereItIsTold)
     }
 }
 
+// A drop at x = -1.5 mm, later at 1.5 mm: pictures of both times show the same place, 3 mm and two halves of a drop wide.
+TEST_F(DropCase, RenderCaseFramesASeriesOnce)
+{
+    writeTime("0", {drop(90)});
+    writeTime("0.01", {drop(90, 1000, 1.5e-3)});
+    constexpr double water = 60, none = 40;             // as above
+    ASSERT_EQ(call("renderCase", "-size 160x100 -view above -time 0:").status, 0);
+    const Picture first(path()/"case_0.png"), last(path()/"case_0.01.png");
+    for (const Picture* picture : {&first, &last}) EXPECT_LT(picture->blueness(0.5, 0.5), none);
+    // The frame's width fills 0.64 of the picture; the drops' middles are 1.5 of its 2.5 mm from the middle.
+    const double away = 0.32*1.5/2.5;
+    EXPECT_GT(first.blueness(0.5 - away, 0.5), water);
+    EXPECT_LT(first.blueness(0.5 + away, 0.5), none);
+    EXPECT_GT(last.blueness(0.5 + away, 0.5), water);
+    EXPECT_LT(last.blueness(0.5 - away, 0.5), none);
+}
+
+// Gravity upwards: what was the floor is the ceiling, and the viewer stands below it.
+TEST_F(DropCase, RenderCaseLooksUpAtWhatHangs)
+{
+    writeTime("0", {drop(90)});
+    write("constant/models", "bodyForce gravity;\n");
+    write("constant/g", "dimensions [0 1 -2 0 0 0 0];\nvalue (0 0 9.81);\n");
+    ASSERT_EQ(call("renderCase", "-size 160x100 -view above").status, 0);
+    EXPECT_GT(Picture(path()/"case.png").blueness(0.5, 0.5), 60);
+}
+
+// The floor's angles are 60 and 100 degrees: a drop on the seam has a mean of 80, which nobody prescribed.
+TEST_F(DropCase, RenderCaseTellsAnglesThatWerePrescribed)
+{
+    write("constant/models", "wetting contactAngle;\n");
+    for (const auto& [x, told] : {std::pair(-1.5e-3, true), std::pair(0.0, false)})
+    {
+        writeTime("0", {drop(90, 1000, x)});
+        ASSERT_EQ(call("probeAngle").status, 0);
+        const Outcome outcome = call("renderCase", "-size 64x64");
+        EXPECT_TRUE(holds(outcome.text, {"contact angle "}));
+        EXPECT_EQ(outcome.text.find("(prescribed 60") != std::string::npos, told) << outcome.text;
+        EXPECT_EQ(outcome.text.find("prescribed") != std::string::npos, told) << outcome.text;
+    }
+    write("constant/models", "wetting none;\n");
+    writeTime("0", {drop(90)});
+    ASSERT_EQ(call("probeAngle").status, 0);
+    EXPECT_EQ(call("renderCase", "-size 64x64").text.find("prescribed"), std::string::npos);
+}
+
 TEST_F(DropCase, RenderCaseShowsParticlesWhereThereIsNoSurface)
 {
     writeTime("0", {drop(90)}, false);

@@ -143,6 +143,23 @@ TEST_P(AdviseCase, predictsWhatTheSolverNeeds)
     EXPECT_EQ(outcome.text.find("system/solution: spacing"), std::string::npos) << outcome.text;
 }
 
+// The same advice as before the run: no time is left of it, and at its end another liquid.
+TEST_P(AdviseCase, aRunThatIsOverIsJudgedByItsStart)
+{
+    const auto advice = [&]
+    {
+        const std::string text = advise("-explain").text;
+        const std::size_t begin = text.find("\nAdvice"), end = text.find("\nPrediction");
+        EXPECT_NE(end, std::string::npos) << text;
+        return text.substr(begin, end - begin);
+    };
+    const std::string before = advice();
+    ASSERT_EQ(solve().status, 0);
+    EXPECT_EQ(advice(), before);
+    EXPECT_TRUE(holds(advise().text, {"The run is over", "sub-steps     "}));
+    EXPECT_GT(lastNumber(advise().text, "sub-steps "), 0);
+}
+
 // Advice is given all the same.
 TEST_P(AdviseCase, aCaseThatTheSolverRefusesHasNoTime)
 {

@@ -153,6 +153,28 @@ TEST_P(CheckCase, contactAngles)
     expectFailures(2, {"run sampleTheta", "'flor'", "Did you mean 'floor'"});
 }
 
+// The weight is not known where the models could not be made.
+TEST_P(CheckCase, noBondNumberWithoutModels)
+{
+    EXPECT_TRUE(holds(check().text, {"Bond number"}));
+    write("constant/models", "pressure pbf;\nsurfaceTension Fujisawa2014;\nwetting contactAngle;\nviscosity XSPH;\nbodyForce gravty;\n");
+    const Outcome outcome = check();
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(holds(outcome.text, {"'gravty'", "    Weber number"}));
+    EXPECT_EQ(outcome.text.find("Bond number"), std::string::npos) << outcome.text;
+}
+
+TEST_P(CheckCase, modelsAreListed)
+{
+    remove("system/controlDict");
+    for (const std::string program : {"checkCase", "pbfDroplet"})
+    {
+        const Outcome outcome = call(program, "-listModels");
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_TRUE(holds(outcome.text, {"pressure\n", "    completedPbf            position based fluids", "wetting\n", "functions (system/controlDict)\n"}));
+    }
+}
+
 TEST_P(CheckCase, particlesOfAnotherSpacing)
 {
     write("system/solution", "spacing 0.5e-3;\n");

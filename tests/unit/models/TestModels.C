@@ -4,7 +4,11 @@
 #include "models/Models.H"
 
 #include "device/Device.H"
+#include "functionObjects/FunctionObject.H"
+#include "functionObjects/ModelList.H"
 #include "support/LiquidCase.H"
+
+#include <sstream>
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -42,6 +46,19 @@ TEST(Models, HaveTheirWords)
     EXPECT_EQ(VelocityFilterTable::words(), (Words{"affine", "none"}));
     EXPECT_EQ(BodyForceTable::words(), (Words{"gravity", "none"}));
     EXPECT_EQ(ParticleShiftingTable::words(), (Words{"closePairs", "none"}));
+}
+
+TEST(Models, SayWhatTheyAre)
+{
+    std::istringstream lines(modelList());
+    std::size_t words = 0;
+    for (std::string line; std::getline(lines, line);)
+    {
+        if (!line.starts_with("    ")) continue;
+        ++words;
+        EXPECT_GT(line.size(), 4 + 24u) << line;            // behind the column of words
+    }
+    EXPECT_GE(words, PressureTable::words().size() + SurfaceTensionTable::words().size() + FunctionObjectTable::words().size());
 }
 
 TEST(Models, AreMadeByEveryWord)

@@ -3,6 +3,7 @@
 
 #include "caseFiles/LiquidFiles.H"
 #include "core/arguments/runApplication.H"
+#include "core/messages/Progress.H"
 #include "core/time/Time.H"
 #include "drops/DropMeasurement.H"
 #include "meshes/MeshTopology.H"
@@ -45,8 +46,10 @@ void probeAngle(const Arguments& args)
     const DropControls controls = readControls(args.casePath(), walls);
     DropMeasurement measurement(args.casePath(), controls, walls, readSpacing(args.casePath()));
     CsvFile table = dropTable(args.casePath()/"postProcessing/probeAngle"/times.front().name/"angle.csv");
+    Progress progress("Measuring");
     for (const TimeFolder& time : times)
     {
+        progress.update(double(&time - times.data())/times.size());
         measurement.readCase(time.value);
         const std::vector<DropRecord> records = measurement.measure
         (

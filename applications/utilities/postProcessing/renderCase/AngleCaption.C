@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AngleCaption.H"
 
+#include "core/dictionary/Dictionary.H"
+#include "core/fieldFile/FieldFile.H"
+#include "core/time/Time.H"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <map>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -52,11 +57,38 @@ std::string degrees(const std::string& text, int digits)
     return out.str();
 }
 
-std::string describe(Row& row)
+// Those of constant/wettability, and of the solid particles at the time; none where they go on from one to the next, or no model asks for them.
+std::set<double> prescribedAngles(const std::filesystem::path& casePath, double time)
 {
+    constexpr std::size_t most = 10;
+    std::set<double> angles;
+    const auto models = casePath/"constant/models", wettability = casePath/"constant/wettability";
+    if (std::filesystem::exists(models) && Dictionary::read(models).lookupOr<std::string>("wetting", "none") == "none") return {};
+    if (std::filesystem::exists(wettability))
+    {
+        const Dictionary dict = Dictionary::read(wettability);
+        for (const std::string& wall : dict.dictKeys())
+        {
+            if (const Dictionary entry = dict.subDict(wall); entry.found("theta")) angles.insert(entry.lookupOr<double>("theta", 0));
+        }
+    }
+    const auto folder = findInstance(casePath, time, "solid/theta");
+    if (!folder.empty())
+    {
+        const FieldData field = readField(folder/"solid/theta");
+        angles = {field.values.begin(), field.values.end()};
+    }
+    return angles.size() <= most ? angles : std::set<double>();
+}
+
+// A table has the mean below the drop: told where it is one of those that were prescribed.
+std::string describe(Row& row, const std::set<double>& angles)
+{
+    constexpr double digits = 0.05;     // degrees
     std::string text = row["state"] == "attached" ? "contact angle " + degrees(row["angle"], 1) : row["state"];
-    const std::string& prescribed = row["prescribed"];
-    if (!std::isnan(std::atof(prescribed.c_str()))) text += " (prescribed " + degrees(prescribed, 0) + ")";
+    const double prescribed = std::atof(row["prescribed"].c_str());
+    const bool is = std::any_of(angles.begin(), angles.end(), [&](double angle) { return std::abs(angle - prescribed) < digits; });
+    if (is) text += " (prescribed " + degrees(row["prescribed"], 0) + ")";
     return text;
 }
 
@@ -99,11 +131,12 @@ std::string angleCaption(const std::filesystem::path& casePath, double time)
 
     std::vector<Row> rows = rowsAt(newest, time);
     if (rows.size() > mostLines) return summarise(rows);
+    const std::set<double> angles = prescribedAngles(casePath, time);
     std::string text;
     for (Row& row : rows)
     {
         if (!text.empty()) text += '\n';
-        text += describe(row);
+        text += describe(row, angles);
     }
     return text;
 }

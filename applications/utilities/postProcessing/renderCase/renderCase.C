@@ -110,6 +110,19 @@ void addLiquid(PictureScene& scene, const TimeFolder& time)
     }
 }
 
+// Around the liquid of all of them.
+Bounds boundsOf(const std::vector<TimeFolder>& times)
+{
+    Bounds all;
+    for (const TimeFolder& time : times)
+    {
+        PictureScene scene;
+        addLiquid(scene, time);
+        for (const Vector3& x : scene.liquid.vertices.empty() ? scene.particles : scene.liquid.vertices) all.add(x);
+    }
+    return all;
+}
+
 // A tube from the lowest liquid to a little above the highest.
 void addGlass(PictureScene& scene, const AnalyticSurface& tube)
 {
@@ -183,13 +196,14 @@ void renderTime(const Arguments& args, const TimeFolder& time, const PictureView
     scene.caption = caption.str() + (angle.empty() ? "" : "\n" + angle);
 
     renderPicture(scene, view, file);
-    std::cout << "Time = " << time.name << "\nWritten: " << file.string() << std::endl;
+    std::cout << "Time = " << time.name << "\n" << angle << (angle.empty() ? "" : "\n") << "Written: " << file.string() << std::endl;
 }
 
 void render(const Arguments& args)
 {
     const std::vector<TimeFolder> times = chosenTimes(args);
-    const PictureView view = readView(args);
+    PictureView view = readView(args);
+    if (times.size() > 1) view.frame = boundsOf(times);
     std::vector<std::filesystem::path> files;
     for (const TimeFolder& time : times) files.push_back(fileOf(args, time, times.size() > 1));
     const VirtualDisplay display;
@@ -204,8 +218,8 @@ int main(int argc, char** argv)
     options.push_back({"output", "FILE", "the PNG, of several times one each, FILE_TIME.png; default: <case>/<name of the case>.png", ""});
     options.push_back({"size", "WxH", "pixels", "1600x1000"});
     options.push_back({"azimuth", "DEGREES", "walk of the viewer around the liquid, anticlockwise from above", "0"});
-    options.push_back({"centre", "(X Y Z)", "middle of what is seen, m; default: that of the liquid", ""});
-    options.push_back({"width", "METRES", "of what is seen there, e.g. to compare sizes; default: the liquid fills it", ""});
+    options.push_back({"centre", "(X Y Z)", "middle of what is seen, m; default: that of the liquid, of all times", ""});
+    options.push_back({"width", "METRES", "of what is seen there, e.g. to compare sizes; default: the liquid fills it, at all times", ""});
     options.push_back({"view", "side|perspective|above", "level, or looking down slightly or steeply", "perspective"});
     return runApplication
     (

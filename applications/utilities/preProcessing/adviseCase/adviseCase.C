@@ -158,6 +158,7 @@ void adviseCase(const Arguments& args)
     Scene scene = Scene::read(args.casePath(), trial.path(), studies, tolerance);
     scene.subStep = present.run.subStep.dt;
     scene.limit = present.run.subStep.limit;
+    if (trial.startsAnew()) std::cout << "The run is over: what follows is of its start\n";
     reportScene(scene, present);
     if (trial.withoutSolid())
     {

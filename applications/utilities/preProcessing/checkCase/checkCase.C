@@ -7,10 +7,12 @@
 #include "SolvedCase.H"
 #include "core/arguments/runApplication.H"
 #include "device/DeviceApplication.H"
+#include "functionObjects/ModelList.H"
 #include "motion/SpeedMeter.H"
 #include "stepping/DryRun.H"
 
 #include <iostream>
+#include <limits>
 
 namespace shizuku
 {
@@ -43,7 +45,7 @@ void checkCase(const Arguments& args)
     SolvedCase solved(args.casePath(), findings);
     if (solved.liquid && solved.liquid->owned() > 0)
     {
-        const double gravity = solved.models ? solved.models->bodyForce->acceleration() : 0;
+        const double gravity = solved.models ? solved.models->bodyForce->acceleration() : std::numeric_limits<double>::quiet_NaN();
         reportLiquid(*solved.liquid, gravity, findings);
     }
     if (solved.walls)
@@ -78,7 +80,8 @@ extern "C" int runOnDevice(int argc, char** argv)
         {
             .name = "checkCase",
             .summary = "Read a case as the solver does: errors, particles, resolution, dimensionless numbers, memory, time step.",
-            .options = {deviceOption(), precisionOption()}
+            .options = {deviceOption(), precisionOption()},
+            .models = modelList
         },
         checkCase
     );

@@ -44,7 +44,7 @@ private:
     Vec3 g_;                            // scaled
 };
 
-const BodyForceTable::Add<Gravity> registered{"gravity"};
+const BodyForceTable::Add<Gravity> registered{"gravity", "uniform gravity of constant/g"};
 
 }
 

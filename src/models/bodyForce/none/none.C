@@ -17,7 +17,7 @@ public:
     void predict(Liquid& liquid, scalar dt) const override { predictPositions(liquid, dt); }
 };
 
-const BodyForceTable::Add<NoBodyForce> registered{"none"};
+const BodyForceTable::Add<NoBodyForce> registered{"none", "no force on the whole liquid"};
 
 }
 

@@ -81,7 +81,7 @@ private:
     FreeSurface& surface_;
 };
 
-const ParticleShiftingTable::Add<ClosePairs> registered{"closePairs"};
+const ParticleShiftingTable::Add<ClosePairs> registered{"closePairs", "moves particles apart that are closer than those of liquid at rest"};
 
 }
 

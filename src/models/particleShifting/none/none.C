@@ -17,7 +17,7 @@ public:
     bool seesGhosts() const override { return true; }
 };
 
-const ParticleShiftingTable::Add<NoShifting> registered{"none"};
+const ParticleShiftingTable::Add<NoShifting> registered{"none", "particles stay where the step has brought them"};
 
 }
 

@@ -186,7 +186,7 @@ private:
     Buffer<Position> corrected_;
 };
 
-const PressureTable::Add<Clavet2005> registered{"Clavet2005"};
+const PressureTable::Add<Clavet2005> registered{"Clavet2005", "double density relaxation (Clavet, Beaudoin and Poulin 2005)"};
 
 }
 

@@ -300,7 +300,7 @@ private:
     Buffer<RateSum> scratch_;
 };
 
-const PressureTable::Add<DFSPH> registered{"DFSPH"};
+const PressureTable::Add<DFSPH> registered{"DFSPH", "divergence-free SPH (Bender and Koschier 2015)"};
 
 }
 

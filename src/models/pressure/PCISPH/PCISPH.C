@@ -27,7 +27,7 @@ namespace shizuku
 namespace
 {
 
-struct RaisePressure
+struct RaiseByDensity
 {
     scalar delta;                       // times rho0
     scalar perPressure;                 // dt^2/rho0
@@ -64,7 +64,7 @@ public:
         const scalar perPressure = dt_ * dt_ / liquid.restDensity();
         increase_.resizeDiscarding(liquid.all());
         computeDensity(liquid, near, walls);
-        forEach(liquid.owned(), RaisePressure
+        forEach(liquid.owned(), RaiseByDensity
         {
             1 / (2 * perPressure * squares_), perPressure, liquid.density.span(), pressure_.span(), increase_.span()
         });
@@ -103,7 +103,7 @@ private:
     AverageCompression compression_;
 };
 
-const PressureTable::Add<PCISPH> registered{"PCISPH"};
+const PressureTable::Add<PCISPH> registered{"PCISPH", "predictive-corrective incompressible SPH (Solenthaler and Pajarola 2009)"};
 
 }
 

@@ -34,7 +34,7 @@ struct Tait
     HOST_DEVICE scalar share(scalar p, scalar D, scalar) const { return p / (D * D); }
 };
 
-const PressureTable::Add<CompressiblePressure<Tait>> registered{"WCSPH"};
+const PressureTable::Add<CompressiblePressure<Tait>> registered{"WCSPH", "weakly compressible SPH (Becker and Teschner 2007)"};
 
 }
 

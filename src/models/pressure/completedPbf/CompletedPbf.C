@@ -339,7 +339,7 @@ private:
     std::optional<CoarseCorrection> coarse_;
 };
 
-const PressureTable::Add<CompletedPbf> registered{"completedPbf"};
+const PressureTable::Add<CompletedPbf> registered{"completedPbf", "position based fluids, the density completed at the free surface and at walls"};
 
 }
 

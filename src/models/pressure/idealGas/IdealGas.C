@@ -29,7 +29,7 @@ struct IdealGas
     HOST_DEVICE scalar share(scalar p, scalar D, scalar otherD) const { return p / (D * otherD); }
 };
 
-const PressureTable::Add<CompressiblePressure<IdealGas>> registered{"idealGas"};
+const PressureTable::Add<CompressiblePressure<IdealGas>> registered{"idealGas", "pressure in proportion to the density (Mueller, Charypar and Gross 2003)"};
 
 }
 

@@ -21,7 +21,7 @@ public:
     bool seesGhosts() const override { return true; }
 };
 
-const PressureTable::Add<NoPressure> registered{"none"};
+const PressureTable::Add<NoPressure> registered{"none", "particles fly freely"};
 
 }
 

@@ -181,7 +181,7 @@ private:
     AverageCompression compression_;
 };
 
-const PressureTable::Add<Pbf> registered{"pbf"};
+const PressureTable::Add<Pbf> registered{"pbf", "position based fluids (Macklin and Mueller 2013)"};
 
 }
 

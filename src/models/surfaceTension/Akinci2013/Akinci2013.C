@@ -14,7 +14,7 @@ namespace
 
 using Akinci2013 = PairTensionOf<PairTension::WallNormals::no>;
 
-const SurfaceTensionTable::Add<Akinci2013> registered{"Akinci2013"};
+const SurfaceTensionTable::Add<Akinci2013> registered{"Akinci2013", "cohesion and area minimisation (Akinci, Akinci and Teschner 2013)"};
 
 }
 

@@ -29,7 +29,7 @@ struct KernelForce
     HOST_DEVICE scalar operator()(scalar r) const { return kappa * W.W(r) * r; }
 };
 
-KernelForce readForce(const Dictionary& coeffs, const Liquid& liquid)
+KernelForce readKernelForce(const Dictionary& coeffs, const Liquid& liquid)
 {
     const LiquidProperties& p = liquid.properties();
     const double h = liquid.units().toSI(liquid.support(), dimensions::length);
@@ -48,11 +48,11 @@ class Becker2007 : public PairForce<KernelForce>
 public:
     Becker2007(const Dictionary& coeffs, Liquid& liquid, const Walls& walls, FreeSurface&)
     :
-        PairForce(readForce(coeffs, liquid), liquid, walls)
+        PairForce(readKernelForce(coeffs, liquid), liquid, walls)
     {}
 };
 
-const SurfaceTensionTable::Add<Becker2007> registered{"Becker2007"};
+const SurfaceTensionTable::Add<Becker2007> registered{"Becker2007", "cohesion in proportion to the kernel (Becker and Teschner 2007)"};
 
 }
 

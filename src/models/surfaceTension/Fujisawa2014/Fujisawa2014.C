@@ -14,7 +14,7 @@ namespace
 
 using Fujisawa2014 = PairTensionOf<PairTension::WallNormals::yes>;
 
-const SurfaceTensionTable::Add<Fujisawa2014> registered{"Fujisawa2014"};
+const SurfaceTensionTable::Add<Fujisawa2014> registered{"Fujisawa2014", "as Akinci2013, with the solids' share in the normals (Fujisawa, Imai and Mikawa 2014)"};
 
 }
 

@@ -61,7 +61,7 @@ public:
     Kondo2007(const Dictionary&, Liquid& liquid, const Walls& walls, FreeSurface&) : PairForce(forceOf(liquid), liquid, walls) {}
 };
 
-const SurfaceTensionTable::Add<Kondo2007> registered{"Kondo2007"};
+const SurfaceTensionTable::Add<Kondo2007> registered{"Kondo2007", "potential between particles (Kondo, Koshizuka, Suzuki and Takimoto 2007)"};
 
 }
 

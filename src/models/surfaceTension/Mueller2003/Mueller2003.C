@@ -94,7 +94,7 @@ private:
     scalar sigma_, least_ = 0;
 };
 
-const SurfaceTensionTable::Add<Mueller2003> registered{"Mueller2003"};
+const SurfaceTensionTable::Add<Mueller2003> registered{"Mueller2003", "curvature of the smoothed colour field (Mueller, Charypar and Gross 2003)"};
 
 }
 

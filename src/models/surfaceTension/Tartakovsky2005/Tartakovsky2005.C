@@ -28,7 +28,7 @@ struct CosineForce
     HOST_DEVICE scalar operator()(scalar r) const { return r < h ? -scale * cos(1.5f * kernels::pi * r / h) : 0; }
 };
 
-CosineForce readForce(const Dictionary& coeffs, const Liquid& liquid)
+CosineForce readCosineForce(const Dictionary& coeffs, const Liquid& liquid)
 {
     const LiquidProperties& p = liquid.properties();
     const double h = liquid.units().toSI(liquid.support(), dimensions::length);
@@ -46,11 +46,11 @@ class Tartakovsky2005 : public PairForce<CosineForce>
 public:
     Tartakovsky2005(const Dictionary& coeffs, Liquid& liquid, const Walls& walls, FreeSurface&)
     :
-        PairForce(readForce(coeffs, liquid), liquid, walls)
+        PairForce(readCosineForce(coeffs, liquid), liquid, walls)
     {}
 };
 
-const SurfaceTensionTable::Add<Tartakovsky2005> registered{"Tartakovsky2005"};
+const SurfaceTensionTable::Add<Tartakovsky2005> registered{"Tartakovsky2005", "pair force that repels near by and attracts from afar (Tartakovsky and Meakin 2005)"};
 
 }
 

@@ -119,7 +119,7 @@ private:
     Buffer<scalar> sums_, parts_;           // J and psi (SurfaceLayer.H)
 };
 
-const SurfaceTensionTable::Add<ContinuumSurfaceForce> registered{"continuumSurfaceForce"};
+const SurfaceTensionTable::Add<ContinuumSurfaceForce> registered{"continuumSurfaceForce", "force on the free surface's layer (Brackbill, Kothe and Zemach 1992)"};
 
 }
 

@@ -187,7 +187,7 @@ private:
     std::optional<ExtendedLiquid> extended_;        // of the density's kernel
 };
 
-const SurfaceTensionTable::Add<LaplacePressure> registered{"laplacePressure"};
+const SurfaceTensionTable::Add<LaplacePressure> registered{"laplacePressure", "Laplace's pressure on the free surface"};
 
 }
 

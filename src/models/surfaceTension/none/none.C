@@ -19,7 +19,7 @@ public:
     bool seesGhosts() const override { return true; }
 };
 
-const SurfaceTensionTable::Add<NoSurfaceTension> registered{"none"};
+const SurfaceTensionTable::Add<NoSurfaceTension> registered{"none", "no surface tension"};
 
 }
 

@@ -146,7 +146,7 @@ private:
     OwnedRows gradient_;
 };
 
-const VelocityFilterTable::Add<Affine> registered{"affine"};
+const VelocityFilterTable::Add<Affine> registered{"affine", "takes out what is not linear in space around two particles"};
 
 }
 

@@ -17,7 +17,7 @@ public:
     bool seesGhosts() const override { return true; }
 };
 
-const VelocityFilterTable::Add<NoFilter> registered{"none"};
+const VelocityFilterTable::Add<NoFilter> registered{"none", "velocities stay what the step has made them"};
 
 }
 

@@ -87,7 +87,7 @@ private:
     SmoothingControls controls_;
 };
 
-const ViscosityTable::Add<XSPH> registered{"XSPH"};
+const ViscosityTable::Add<XSPH> registered{"XSPH", "velocities drift towards their neighbours' mean (Monaghan 1989); nu does not enter"};
 
 }
 

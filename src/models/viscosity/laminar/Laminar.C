@@ -88,7 +88,7 @@ private:
     Buffer<Vec3> diffused_;
 };
 
-const ViscosityTable::Add<Laminar> registered{"laminar"};
+const ViscosityTable::Add<Laminar> registered{"laminar", "Laplacian of Morris, Fox and Zhu 1997, with nu of constant/liquidProperties"};
 
 }
 

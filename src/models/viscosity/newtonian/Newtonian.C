@@ -378,7 +378,7 @@ private:
     Buffer<ResidualSums> scratch_;
 };
 
-const ViscosityTable::Add<Newtonian> registered{"newtonian"};
+const ViscosityTable::Add<Newtonian> registered{"newtonian", "Newtonian liquid of viscosity nu, its free surface without stress"};
 
 }
 

@@ -17,7 +17,7 @@ public:
     bool seesGhosts() const override { return true; }
 };
 
-const ViscosityTable::Add<NoViscosity> registered{"none"};
+const ViscosityTable::Add<NoViscosity> registered{"none", "inviscid liquid"};
 
 }
 

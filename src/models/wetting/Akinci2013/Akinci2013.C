@@ -106,7 +106,7 @@ private:
     scalar fullBeta_, beta_;
 };
 
-const WettingTable::Add<Akinci2013> registered{"Akinci2013"};
+const WettingTable::Add<Akinci2013> registered{"Akinci2013", "adhesion: solids pull (Akinci, Akinci and Teschner 2013)"};
 
 }
 

@@ -42,7 +42,7 @@ private:
     const PairAttraction* attraction_;
 };
 
-const WettingTable::Add<AdhesionRatio> registered{"adhesionRatio"};
+const WettingTable::Add<AdhesionRatio> registered{"adhesionRatio", "solids attract by a share of the cohesion that follows from the contact angle"};
 
 }
 

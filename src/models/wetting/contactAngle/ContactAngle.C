@@ -137,7 +137,7 @@ private:
     Buffer<scalar>& density_;               // computed by the tension
 };
 
-const WettingTable::Add<ContactAngle> registered{"contactAngle"};
+const WettingTable::Add<ContactAngle> registered{"contactAngle", "the contact angle steers the pair force of solids (Fujisawa, Imai and Mikawa 2014)"};
 
 }
 

@@ -34,7 +34,7 @@ public:
     void apply(Liquid&, const Neighbourhood&, const Walls&, Buffer<Vec3>&) override {}
 };
 
-const WettingTable::Add<ExtendedSurface> registered{"extendedSurface"};
+const WettingTable::Add<ExtendedSurface> registered{"extendedSurface", "the surface goes on into walls at the contact angle"};
 
 }
 

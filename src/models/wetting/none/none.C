@@ -19,7 +19,7 @@ public:
     bool seesGhosts() const override { return true; }
 };
 
-const WettingTable::Add<NoWetting> registered{"none"};
+const WettingTable::Add<NoWetting> registered{"none", "walls neither attract nor repel"};
 
 }
 
