@@ -38,7 +38,7 @@ Complex scaledErfc(Complex z)
 }
 
 // All roots of z^4 + c3 z^3 + c2 z^2 + c1 z + c0, which differ (Durand and Kerner).
-std::array<Complex, 4> roots(double c3, double c2, double c1, double c0)
+std::array<Complex, 4> quarticRoots(double c3, double c2, double c1, double c0)
 {
     const double scale = std::pow(std::abs(c0), 0.25);
     std::array<Complex, 4> z;
@@ -66,7 +66,7 @@ double CapillaryWave::amplitude(double t) const
 {
     const double beta = below*above/((below + above)*(below + above)), rate = nu*k*k, root = std::sqrt(rate), omega2 = std::pow(frequency(), 2);
     const double rest = (1 - 4*beta)*rate*rate;
-    const auto z = roots(-4*beta*root, 2*(1 - 6*beta)*rate, 4*(1 - 3*beta)*rate*root, rest + omega2);
+    const auto z = quarticRoots(-4*beta*root, 2*(1 - 6*beta)*rate, 4*(1 - 3*beta)*rate*root, rest + omega2);
     Complex sum = 4*rest/(8*rest + omega2)*std::erfc(std::sqrt(rate*t));
     for (int i = 0; i < 4; ++i)
     {
