@@ -164,6 +164,14 @@ TEST_P(CheckCase, noBondNumberWithoutModels)
     EXPECT_EQ(outcome.text.find("Bond number"), std::string::npos) << outcome.text;
 }
 
+// Of water XSPH may know nothing; of what is ten thousand times as thick it is told.
+TEST_P(CheckCase, aViscosityThatDoesNotActIsTold)
+{
+    EXPECT_EQ(check().text.find("does not act"), std::string::npos);
+    write("constant/liquidProperties", "rho 998;\nnu 1e-2;\nsigma 0.0728;\n");
+    EXPECT_TRUE(holds(check().text, {"*Warning: nu, 0.01 m2/s, does not act with viscosity XSPH"}));
+}
+
 TEST_P(CheckCase, modelsAreListed)
 {
     remove("system/controlDict");

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <limits>
 #include <sstream>
 
 namespace shizuku
@@ -46,6 +47,19 @@ void checkProperties(const LiquidProperties& p, Findings& findings)
     }
 }
 
+// Models that damp by shares of a step know nothing of nu.
+void checkViscosity(const LiquidProperties& p, double diameter, const Models& models, Findings& findings)
+{
+    constexpr double felt = 0.1;                // Ohnesorge number: a swing loses half of its height within one
+    const std::string model = models.dict.lookup<std::string>("viscosity");
+    const double ohnesorge = flowNumbers({diameter, 0, 0, p.density, p.viscosity, p.surfaceTension}).ohnesorge;
+    if ((model != "none" && model != "XSPH") || p.surfaceTension == 0 || ohnesorge < felt) return;
+    std::ostringstream text;
+    text << "nu, " << p.viscosity << " m2/s, does not act with viscosity " << model << ", and would be felt (Ohnesorge number " << ohnesorge
+         << ")\n    viscosity laminar or newtonian takes it";
+    findings.warn(text.str());
+}
+
 void checkSpacing(const std::vector<Vector3>& positions, double spacing, Findings& findings)
 {
     const double gap = measureGaps(positions, 3 * spacing).mean / spacing;
@@ -67,8 +81,9 @@ void report(const SeparateBody& body, std::size_t number, const LiquidProperties
 
 }
 
-void reportLiquid(const Liquid& liquid, double gravity, Findings& findings)
+void reportLiquid(const Liquid& liquid, const Models* models, Findings& findings)
 {
+    const double gravity = models ? models->bodyForce->acceleration() : std::numeric_limits<double>::quiet_NaN();
     const LiquidProperties& p = liquid.properties();
     const auto positions = liquid.positions();
     checkSpacing(positions, p.spacing, findings);
@@ -79,6 +94,7 @@ void reportLiquid(const Liquid& liquid, double gravity, Findings& findings)
               << liquid.owned() * p.particleVolume() << " m3, separate bodies " << bodies.size() << "\n";
     for (std::size_t i = 0; i < std::min(bodies.size(), mostReported); ++i) report(bodies[i], i + 1, p, gravity);
     if (bodies.size() > mostReported) std::cout << "and " << bodies.size() - mostReported << " smaller ones\n";
+    if (models) checkViscosity(p, bodies.front().diameter(), *models, findings);
     for (const std::string& warning : resolutionWarnings(bodies, p.spacing)) findings.warn(warning);
 }
 

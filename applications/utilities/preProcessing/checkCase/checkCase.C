@@ -12,7 +12,6 @@
 #include "stepping/DryRun.H"
 
 #include <iostream>
-#include <limits>
 
 namespace shizuku
 {
@@ -45,8 +44,7 @@ void checkCase(const Arguments& args)
     SolvedCase solved(args.casePath(), findings);
     if (solved.liquid && solved.liquid->owned() > 0)
     {
-        const double gravity = solved.models ? solved.models->bodyForce->acceleration() : std::numeric_limits<double>::quiet_NaN();
-        reportLiquid(*solved.liquid, gravity, findings);
+        reportLiquid(*solved.liquid, solved.models.get(), findings);
     }
     if (solved.walls)
     {
