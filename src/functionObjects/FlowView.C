@@ -2,6 +2,7 @@
 #include "functionObjects/FlowView.H"
 
 #include "models/density/Density.H"
+#include "neighbours/WholeLiquid.H"
 #include "surface/CaseSurface.H"
 
 namespace shizuku
@@ -17,14 +18,23 @@ FlowView::FlowView
 
 const Liquid& FlowView::liquid()
 {
-    computeDensities();
-    return liquid_;
+    if (!whole_) computeDensities();
+    return seen();
 }
 
 void FlowView::computeDensities()
 {
-    if (densityIsDue_) computeDensity(liquid_, liquid_.position, near, walls);
+    if (densityIsDue_)
+    {
+        liquid_.ghosts().copy(liquid_.position);
+        computeDensity(liquid_, liquid_.position, near, walls);
+    }
     densityIsDue_ = false;
+}
+
+void FlowView::gather()
+{
+    if (liquid_.parts().parts() > 1) gatherLiquid(liquid_, near, whole_.get());
 }
 
 const LiquidState& FlowView::state()
@@ -35,14 +45,14 @@ const LiquidState& FlowView::state()
 
 const std::vector<Vector3>& FlowView::positions()
 {
-    if (!positions_) positions_ = liquid_.positions();
+    if (!positions_) positions_ = seen().positions();
     return *positions_;
 }
 
 LiquidSurface& FlowView::builtSurface()
 {
     if (!mesher_) mesher_.emplace(readSurfaceParameters(time.casePath(), liquid_.spacing()));
-    if (surfaceIsDue_) mesher_->build({liquid_.position.span().data, liquid_.owned()});
+    if (surfaceIsDue_) mesher_->build({seen().position.span().data, seen().owned()});
     surfaceIsDue_ = false;
     return *mesher_;
 }

@@ -34,7 +34,7 @@ std::string processorName()
 
 }
 
-DeviceInfo openDevice()
+DeviceInfo openDevice(int)
 {
     const std::size_t memory = std::size_t(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGE_SIZE);
     const std::string backend = sizeof(scalar) == 8 ? "cpuDouble" : "cpu";
