@@ -32,14 +32,26 @@ void FlowView::computeDensities()
     densityIsDue_ = false;
 }
 
+void FlowView::cut(std::unique_ptr<Liquid> whole)
+{
+    struct Count
+    {
+        int particles = 0;
+        void add(const Count& other) { particles += other.particles; }
+    };
+    whole_ = std::move(whole);
+    allParticles_ = liquid_.parts().fold(Count{liquid_.owned()}).particles;
+}
+
 void FlowView::gather()
 {
-    if (liquid_.parts().parts() > 1) gatherLiquid(liquid_, near, whole_.get());
+    if (allParticles_) gatherLiquid(liquid_, near, whole_.get());
 }
 
 const LiquidState& FlowView::state()
 {
-    if (!state_) state_ = meter_.measure(liquid());
+    computeDensities();
+    if (!state_) state_ = meter_.measure(liquid_);
     return *state_;
 }
 

@@ -129,9 +129,9 @@ bool FunctionObjects::lookAtDensities(const Time& time) const
     return std::any_of(entries_.begin(), entries_.end(), looks);
 }
 
-bool FunctionObjects::lookAtLiquid(const Time& time) const
+bool FunctionObjects::lookAtParticles(const Time& time) const
 {
-    const auto looks = [&](const Entry& entry) { return entry.object->looksAtLiquid() && entry.executeControl.mayBeDue(time); };
+    const auto looks = [&](const Entry& entry) { return entry.object->looksAtParticles() && entry.executeControl.mayBeDue(time); };
     return std::any_of(entries_.begin(), entries_.end(), looks);
 }
 

@@ -56,7 +56,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     if (isCut)
     {
         balance.begin(liquid, near, parts);
-        if (isFirst) flow.lookAt(setup.emptyLiquid());
+        flow.cut(isFirst ? setup.emptyLiquid() : nullptr);
     }
     if (args.found("dry-run"))
     {
@@ -87,12 +87,14 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         step.make(steps);
         flow.moved(steps.dt);
         interruption = stopWhereSignalled(time, signals, parts);
-        if (time.reportDue() || functions.lookAtDensities(time)) flow.computeDensities();
+        const bool densitiesAreDue = time.reportDue() || functions.lookAtDensities(time);
+        if (densitiesAreDue) flow.computeDensities();
         step.beginNext(steps);
         refuseDivergence(time, steps, liquid.properties().spacing, step.speeds(), writer, parts);
 
         if (time.writeDue()) setup.models->pressure->complete();
-        if (time.reportDue() || functions.lookAtLiquid(time)) flow.gather();
+        if (isCut && densitiesAreDue) flow.state();
+        if (time.writeDue() || functions.lookAtParticles(time)) flow.gather();
         if (isFirst) functions.execute(flow);
         stopWhereAsked(time, functions, parts);
         if (isFirst && time.reportDue()) reportStep(steps, flow);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/Device.H"
 #include "device/Memory.H"
+#include "device/Processors.H"
 #include "device/Profile.H"
 #include "device/cuda/Check.H"
 #include "device/cuda/LaunchQueue.H"
@@ -36,6 +37,9 @@ DeviceInfo openDevice(int user)
     check(cudaGetDeviceProperties(&properties, gpu), ("cannot read the properties of " + name).c_str());
     return {"cuda", properties.name, properties.totalGlobalMem, std::string(properties.uuid.bytes, sizeof properties.uuid.bytes)};
 }
+
+// Processors have little to do.
+void shareProcessors(int) {}
 
 void synchronize()
 {
