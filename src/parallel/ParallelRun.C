@@ -24,6 +24,13 @@ bool asksForParts(int argc, char** argv)
     return std::any_of(argv + 1, argv + argc, [](const std::string& word) { return word == "-parallel" || word == "--parallel"; });
 }
 
+// Started by mpirun, but each by itself.
+void warnOfLonely()
+{
+    const char* const size = std::getenv("OMPI_COMM_WORLD_SIZE");
+    if (size && std::atoi(size) > 1) warning(std::string("mpirun has started ") + size + " processes, and each runs the case by itself: -parallel is missing");
+}
+
 std::unique_ptr<ParallelRun> open(int argc, char** argv)
 {
     void* const module = dlopen("libshizukuMpi.so", RTLD_NOW | RTLD_GLOBAL);
@@ -81,7 +88,11 @@ private:
 
 int runInParts(int argc, char** argv, const std::function<int(const Communicator&)>& run)
 {
-    if (!asksForParts(argc, argv)) return run(Alone());
+    if (!asksForParts(argc, argv))
+    {
+        warnOfLonely();
+        return run(Alone());
+    }
     std::unique_ptr<ParallelRun> all;
     try
     {

@@ -130,6 +130,12 @@ void endWhereInterrupted(const Interruption& interruption, const Communicator& p
     throw interruption;
 }
 
+int partsOfHost(const Communicator& parts)
+{
+    const std::vector<int> numbers = parts.gather(parts.partOfHost());
+    return 1 + *std::max_element(numbers.begin(), numbers.end());
+}
+
 void warnOfSharedDevices(const DeviceInfo& device, const Communicator& parts)
 {
     std::array<char, 16> identity{};

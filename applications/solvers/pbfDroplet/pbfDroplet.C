@@ -13,6 +13,7 @@
 #include "core/arguments/runApplication.H"
 #include "core/time/CaseLock.H"
 #include "device/DeviceApplication.H"
+#include "device/Processors.H"
 #include "functionObjects/FunctionObjects.H"
 #include "parallel/ParallelRun.H"
 #include "stepping/Balance.H"
@@ -32,6 +33,7 @@ namespace
 void pbfDroplet(const Arguments& args, const Communicator& parts)
 {
     const bool isCut = parts.parts() > 1, isFirst = parts.part() == 0;
+    shareProcessors(partsOfHost(parts));
     const DeviceInfo device = openNamedDevice(parts.partOfHost());
     warnOfSharedDevices(device, parts);
 

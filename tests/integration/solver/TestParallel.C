@@ -124,6 +124,21 @@ TEST_P(Parallel, GoesOnWithAnotherNumberOfRanks)
     EXPECT_TRUE(same(whole, contents("0.004")));
 }
 
+TEST_P(Parallel, FollowsWhatIsChangedWhileItRuns)
+{
+    control(endless + "runTimeModifiable yes;");
+    Process process(parallel(2), folder_.path()/"log");
+    ASSERT_TRUE(process.runUntil([&] { return isAt(process, "0.003"); })) << process.log();
+    write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma 0.05;\n");
+    ASSERT_TRUE(process.runUntil([&] { return process.log().find("sigma: 0.0728 -> 0.05") != std::string::npos; })) << process.log();
+    write("constant/models", "pressure pbf;\nsurfaceTension none;\nwetting none;\nviscosity laminar;\nbodyForce none;\n");
+    ASSERT_TRUE(process.runUntil([&] { return process.log().find("The change of constant/models is left out") != std::string::npos; })) << process.log();
+    EXPECT_TRUE(holds(process.log(), {"The liquid cannot be cut into parts with viscosity laminar"}));
+    control("endTime 1e-3; runTimeModifiable yes; stopAt writeNow;");
+    EXPECT_EQ(process.wait(), 0) << process.log();
+    EXPECT_TRUE(holds(process.log(), {"\nEnd\n"}));
+}
+
 // Cut across y, along which it moves by several times its width.
 TEST_P(Parallel, CutsTheLiquidAnewWhereItHasMoved)
 {
