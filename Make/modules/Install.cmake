@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake --install and cpack. What is installed lies in one folder, which may be moved: bin, lib, etc, share, tutorials. Packages put it into
-# /opt/shizuku: shizuku with the CPU's backends, shizuku-cuda with the GPU's. Included last: it looks at all targets.
+# /opt/shizuku: shizuku with the CPU's backends, shizuku-cuda with the GPU's, shizuku-mpi with what -parallel opens. Included last: it looks at all targets.
 
 set(components shizuku)
 
 # Of the default build; what is built on demand (tests) is not installed.
 set(folders ${SHIZUKU_BACKENDS})
 list(TRANSFORM folders PREPEND backends/)
-list(APPEND folders core geometry reference study advice vtk applications)
+list(APPEND folders core geometry reference study advice vtk parallel applications)
 list(TRANSFORM folders PREPEND ${PROJECT_SOURCE_DIR}/Make/)
 foreach(folder IN LISTS folders)
     get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
@@ -21,6 +21,9 @@ foreach(folder IN LISTS folders)
         if(target MATCHES "-cuda$")
             set(component cuda)
             list(APPEND components cuda)
+        elseif(target STREQUAL shizukuMpi)
+            set(component mpi)
+            list(APPEND components mpi)
         endif()
         get_target_property(destination ${target} SHIZUKU_LIBRARY_FOLDER)       # below lib; see backends/cpu
         if(NOT destination)
@@ -77,5 +80,9 @@ set(CPACK_DEBIAN_SHIZUKU_PACKAGE_NAME shizuku)
 set(CPACK_DEBIAN_SHIZUKU_PACKAGE_RECOMMENDS "gnuplot-nox, xvfb, xauth")
 set(CPACK_DEBIAN_CUDA_PACKAGE_NAME shizuku-cuda)
 set(CPACK_DEBIAN_CUDA_PACKAGE_DEPENDS "shizuku (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_MPI_PACKAGE_NAME shizuku-mpi)
+set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "shizuku (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_MPI_PACKAGE_RECOMMENDS openmpi-bin)
+set(CPACK_COMPONENT_MPI_DESCRIPTION "Runs of Shizuku on several processes, by Open MPI.")
 set(CPACK_COMPONENT_CUDA_DESCRIPTION "The NVIDIA GPU's backend of Shizuku. Needs the driver alone.")
 include(CPack)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What the machine offers. Required: Boost. Optional, and then left out with a message: CUDA (the GPU
-# backend), VTK and CGAL (utilities), GoogleTest and Google Benchmark (tests and benchmarks).
+# backend), VTK and CGAL (utilities), MPI (-parallel), GoogleTest and Google Benchmark (tests and benchmarks).
 
 set(Boost_USE_STATIC_LIBS OFF)
 if(POLICY CMP0167)
@@ -72,7 +72,8 @@ find_package(VTK 9 QUIET COMPONENTS
     RenderingOpenGL2 RenderingFreeType RenderingAnnotation ImagingCore IOImage IOGeometry IOPLY)
 find_package(GTest QUIET)
 find_package(benchmark QUIET)
-foreach(package CGAL VTK GTest benchmark)
+find_package(MPI QUIET COMPONENTS CXX)
+foreach(package CGAL VTK MPI GTest benchmark)
     if(${package}_FOUND)
         message(STATUS "${package}: found")
     else()

@@ -6,6 +6,7 @@ set(SHIZUKU_DEVICE_SOURCES
     device/Profile.C
     device/ProfileTable.C
     particles/Units.C
+    parallel/ParallelRun.C
     parallel/PartsOfProcess.C
     particles/FieldRegistry.C
     particles/Ghosts.C
@@ -15,6 +16,7 @@ set(SHIZUKU_DEVICE_SOURCES
     neighbours/Neighbourhood.C
     neighbours/PartsOfLiquid.C
     neighbours/RowCut.C
+    neighbours/WholeLiquid.C
     walls/HalfSpace.C
     walls/TangentPlanes.C
     walls/SampledLayer.C
@@ -86,6 +88,7 @@ set(SHIZUKU_DEVICE_SOURCES
     surface/BlockMap.C
     surface/LiquidSurface.C
     surface/CaseSurface.C
+    stepping/Balance.C
     stepping/CaseSetup.C
     stepping/DryRun.C
     stepping/StartCheck.C

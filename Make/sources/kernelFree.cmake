@@ -8,6 +8,8 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     particles/Liquid.C
     neighbours/Neighbourhood.C
     neighbours/RowCut.C
+    neighbours/WholeLiquid.C
+    parallel/ParallelRun.C
     parallel/PartsOfProcess.C
     walls/HalfSpace.C
     maths/CohesionSpline.C

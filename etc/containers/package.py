@@ -8,6 +8,7 @@ class Shizuku(CMakePackage, CudaPackage):
 
     version("0.3.0")
     generator("ninja")
+    variant("mpi", default=True, description="pbfDroplet -parallel")
     variant("cgal", default=True, description="sampleSurface")
     variant("vtk", default=True, description="ParaView files and pictures")
 
@@ -16,6 +17,7 @@ class Shizuku(CMakePackage, CudaPackage):
     depends_on("boost@1.74:+program_options")
     depends_on("cuda@12:", when="+cuda")
     depends_on("cccl", when="~cuda")
+    depends_on("mpi", when="+mpi")
     depends_on("cgal", when="+cgal")
     depends_on("vtk@9:", when="+vtk")
     conflicts("%gcc@:11", msg="C++20 of g++ 12 is needed")

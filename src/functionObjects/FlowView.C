@@ -2,6 +2,7 @@
 #include "functionObjects/FlowView.H"
 
 #include "models/density/Density.H"
+#include "neighbours/WholeLiquid.H"
 #include "surface/CaseSurface.H"
 
 namespace shizuku
@@ -17,32 +18,53 @@ FlowView::FlowView
 
 const Liquid& FlowView::liquid()
 {
-    computeDensities();
-    return liquid_;
+    if (!whole_) computeDensities();
+    return seen();
 }
 
 void FlowView::computeDensities()
 {
-    if (densityIsDue_) computeDensity(liquid_, liquid_.position, near, walls);
+    if (densityIsDue_)
+    {
+        liquid_.ghosts().copy(liquid_.position);
+        computeDensity(liquid_, liquid_.position, near, walls);
+    }
     densityIsDue_ = false;
+}
+
+void FlowView::cut(std::unique_ptr<Liquid> whole)
+{
+    struct Count
+    {
+        int particles = 0;
+        void add(const Count& other) { particles += other.particles; }
+    };
+    whole_ = std::move(whole);
+    allParticles_ = liquid_.parts().fold(Count{liquid_.owned()}).particles;
+}
+
+void FlowView::gather()
+{
+    if (allParticles_) gatherLiquid(liquid_, near, whole_.get());
 }
 
 const LiquidState& FlowView::state()
 {
-    if (!state_) state_ = meter_.measure(liquid());
+    computeDensities();
+    if (!state_) state_ = meter_.measure(liquid_);
     return *state_;
 }
 
 const std::vector<Vector3>& FlowView::positions()
 {
-    if (!positions_) positions_ = liquid_.positions();
+    if (!positions_) positions_ = seen().positions();
     return *positions_;
 }
 
 LiquidSurface& FlowView::builtSurface()
 {
     if (!mesher_) mesher_.emplace(readSurfaceParameters(time.casePath(), liquid_.spacing()));
-    if (surfaceIsDue_) mesher_->build({liquid_.position.span().data, liquid_.owned()});
+    if (surfaceIsDue_) mesher_->build({seen().position.span().data, seen().owned()});
     surfaceIsDue_ = false;
     return *mesher_;
 }

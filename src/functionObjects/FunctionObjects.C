@@ -129,6 +129,12 @@ bool FunctionObjects::lookAtDensities(const Time& time) const
     return std::any_of(entries_.begin(), entries_.end(), looks);
 }
 
+bool FunctionObjects::lookAtParticles(const Time& time) const
+{
+    const auto looks = [&](const Entry& entry) { return entry.object->looksAtParticles() && entry.executeControl.mayBeDue(time); };
+    return std::any_of(entries_.begin(), entries_.end(), looks);
+}
+
 void FunctionObjects::execute(FlowView& flow)
 {
     for (Entry& entry : entries_)

@@ -14,6 +14,7 @@ HOST_DEVICE void LiquidSums::add(const LiquidSums& other)
         position[c] += other.position[c];
         velocity[c] += other.velocity[c];
     }
+    particles += other.particles;
     mostSpeed2 = fmax(mostSpeed2, other.mostSpeed2);
     mostCompression = fmax(mostCompression, other.mostCompression);
 }
@@ -33,11 +34,14 @@ struct StateOfParticle
         const Vec3 u = velocity[i];
         const scalar speed2 = squared(u), compression = fmax(density[i] - 1, 0);
         LiquidSums sums;
-        sums.speed2 = sums.mostSpeed2 = speed2;
-        sums.volume = 1 / (1 + compression);
-        sums.compression = sums.mostCompression = compression;
-        sums.position[0] = quanta::lengthOf(x.x), sums.position[1] = quanta::lengthOf(x.y), sums.position[2] = quanta::lengthOf(x.z);
-        sums.velocity[0] = u.x, sums.velocity[1] = u.y, sums.velocity[2] = u.z;
+        sums.mostSpeed2 = speed2;
+        sums.mostCompression = compression;
+        sums.speed2 = wideQuanta(speed2);
+        sums.volume = wideQuanta(1 / (1 + compression));
+        sums.compression = wideQuanta(compression);
+        sums.position[0] = Int128(x.x), sums.position[1] = Int128(x.y), sums.position[2] = Int128(x.z);
+        sums.velocity[0] = wideQuanta(u.x), sums.velocity[1] = wideQuanta(u.y), sums.velocity[2] = wideQuanta(u.z);
+        sums.particles = 1;
         return sums;
     }
 };
@@ -46,26 +50,27 @@ struct StateOfParticle
 
 LiquidState LiquidStateMeter::measure(const Liquid& liquid)
 {
-    const int n = liquid.owned();
-    const LiquidSums sums = reduce
+    const LiquidSums own = reduce
     (
-        n, StateOfParticle{liquid.position.span(), liquid.velocity.span(), liquid.density.span()}, scratch_
+        liquid.owned(), StateOfParticle{liquid.position.span(), liquid.velocity.span(), liquid.density.span()}, scratch_
     );
+    const LiquidSums sums = liquid.parts().fold(own);
+    const double n = double(sums.particles);
     const Units& units = liquid.units();
     const LiquidProperties& p = liquid.properties();
     const double speed = units.of(dimensions::velocity);
 
     LiquidState state;
-    state.volume = p.particleVolume() * sums.volume;
-    state.kineticEnergy = 0.5 * p.particleMass() * sums.speed2 * speed * speed;
+    state.volume = p.particleVolume() * valueOf(sums.volume);
+    state.kineticEnergy = 0.5 * p.particleMass() * valueOf(sums.speed2) * speed * speed;
     state.maxSpeed = std::sqrt(double(sums.mostSpeed2)) * speed;
     state.maxDensityError = sums.mostCompression;
     if (n == 0) return state;
-    state.averageDensityError = sums.compression / n;
+    state.averageDensityError = valueOf(sums.compression) / n;
     for (int c = 0; c < 3; ++c)
     {
-        state.centroid[c] = sums.position[c] / n * units.length;
-        state.momentum[c] = p.particleMass() * sums.velocity[c] * speed;
+        state.centroid[c] = double(Int128(sums.position[c])) / double(std::int64_t(1) << quanta::fractionBits) / n * units.length;
+        state.momentum[c] = p.particleMass() * valueOf(sums.velocity[c]) * speed;
     }
     return state;
 }

@@ -42,7 +42,7 @@ void SpeedMeter::ask(const Liquid& liquid)
 
 Speeds SpeedMeter::take(const Liquid& liquid)
 {
-    const Fastest watched = watched_.take(), now = now_.take();
+    const auto [watched, now] = liquid.parts().fold(Both{watched_.take(), now_.take()});
     const auto speed = [&](scalar speed2) { return std::sqrt(double(speed2)) * liquid.units().of(dimensions::velocity); };
     return {speed(now.speed2), speed(std::max(now.speed2, watched.speed2)), now.nonFinite > 0 ? now.nonFinite : watched.nonFinite};
 }

@@ -50,6 +50,15 @@ private:
     }
 };
 
+struct KeyOf
+{
+    CellGridView grid;
+    Span<const Position> positions;
+    Span<std::uint32_t> keys;
+
+    HOST_DEVICE void operator()(int i) const { keys[i] = grid.key(positions[i]); }
+};
+
 // Puts the points into their cells.
 struct PutInCells
 {
@@ -110,16 +119,21 @@ CellGrid::CellGrid(scalar cellSize, scalar reach)
     leastBitsX_(bitsOfSearch(reach, cellSize / device::cellsInWidth, CellGridView::mostApart))
 {}
 
-void CellGrid::chooseSize(int n, bool withGhosts)
+CellGrid::Bits CellGrid::bitsFor(int n) const
 {
     // About one cell a particle: a full cell holds several, so liquid spread thinly still finds room. As far along each axis.
     constexpr std::uint32_t moreAlongX = device::cellsInWidth - 1;
     std::uint32_t bits = 2 * leastBits_ + leastBitsX_;
     while (bits < 27 && (1u << bits) < std::uint32_t(n)) ++bits;
-    bitsX_ = std::max((bits - moreAlongX + 2) / 3 + moreAlongX, leastBitsX_);
-    bitsY_ = (bits - bitsX_ + 1) / 2;
-    bitsZ_ = bits - bitsX_ - bitsY_;
+    const std::uint32_t x = std::max((bits - moreAlongX + 2) / 3 + moreAlongX, leastBitsX_), y = (bits - x + 1) / 2;
+    return {x, y, bits - x - y};
+}
+
+void CellGrid::chooseSize(int n, bool withGhosts)
+{
+    bits_ = bitsFor(n);
     withGhosts_ = withGhosts;
+    const std::uint32_t bits = bits_.x + bits_.y + bits_.z;
     start_.resizeDiscarding((withGhosts ? 2 << bits : 1 << bits) + 1);
 }
 
@@ -130,9 +144,19 @@ CellGridView CellGrid::view() const
     const auto perWidth = std::uint32_t((std::uint64_t(1) << (32 + shifts)) / width_ + 1);
     return
     {
-        cellSize, perCell, device::cellsInWidth * perCell, width_, perWidth, shifts, bitsX_, bitsY_, bitsZ_, start_.span(),
-        withGhosts_ ? 1u << (bitsX_ + bitsY_ + bitsZ_) : 0, wide_.span().data
+        cellSize, perCell, device::cellsInWidth * perCell, width_, perWidth, shifts, bits_.x, bits_.y, bits_.z, start_.span(),
+        withGhosts_ ? 1u << (bits_.x + bits_.y + bits_.z) : 0, wide_.span().data
     };
+}
+
+Buffer<std::uint32_t> CellGrid::keys(Span<const Position> positions, int n, int all) const
+{
+    CellGridView grid = view();
+    const Bits bits = bitsFor(all);
+    grid.bitsX = bits.x, grid.bitsY = bits.y, grid.bitsZ = bits.z;
+    Buffer<std::uint32_t> keys(n);
+    forEach(n, KeyOf{grid, positions, keys.span()});
+    return keys;
 }
 
 int CellGrid::cellsWithin(scalar reach) const

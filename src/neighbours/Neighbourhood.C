@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "neighbours/Neighbourhood.H"
 
-#include "neighbours/PartsOfLiquid.H"
-
 #include <algorithm>
 
 namespace shizuku
@@ -10,6 +8,12 @@ namespace shizuku
 
 namespace
 {
+
+struct Count
+{
+    int particles = 0;
+    void add(const Count& other) { particles += other.particles; }
+};
 
 // A fifth more than the particles of a full neighbourhood.
 int usualNeighbours(const Liquid& liquid)
@@ -40,10 +44,15 @@ void Neighbourhood::search(Liquid& liquid, scalar wideSupport)
         wideSupport_ = wideSupport;
     }
     list_.forget();
-    if (cut_) bringToParts(liquid, grid_.view(), *cut_, grid_.cellsWithin(std::max(liquid.support(), wideSupport)));
+    if (parts_) parts_->bring(liquid, grid_.view(), grid_.cellsWithin(std::max(liquid.support(), wideSupport)));
     const Buffer<std::uint32_t> order = grid_.build(liquid.predicted.span(), liquid.all(), liquid.id.span(), {}, liquid.owned());
     liquid.fields().reorder(order);
-    if (cut_) liquid.ghosts().reorder(order);
+    if (parts_)
+    {
+        liquid.ghosts().reorder(order);
+        if (particlesOfAll_ == 0) particlesOfAll_ = liquid.parts().fold(Count{liquid.owned()}).particles;
+        keys_ = grid_.keys(liquid.predicted.span(), liquid.owned(), particlesOfAll_);
+    }
     const Span<const Position> points = liquid.predicted.span();
     list_.search(points, liquid.owned(), grid_, points, true);
 }

@@ -65,6 +65,8 @@ private:
 class PartOfProcess : public Communicator
 {
 public:
+    using Communicator::exchange;
+
     PartOfProcess(Table& table, int part) : table_(table), part_(part) {}
 
     int part() const override { return part_; }

@@ -1,31 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/Ghosts.H"
 
+#include "device/ForEach.H"
+
+#include <numeric>
+
 namespace shizuku
 {
 
-void Ghosts::set(std::vector<Indices> sent, std::vector<Indices> received)
+namespace
 {
-    sent_.clear();
-    received_.clear();
-    for (const Indices& indices : sent) sent_.emplace_back(indices);
-    for (const Indices& indices : received) received_.emplace_back(indices);
+
+struct Invert
+{
+    Span<const std::uint32_t> order;
+    Span<std::uint32_t> now;
+
+    HOST_DEVICE void operator()(int i) const { now[int(order[i])] = std::uint32_t(i); }
+};
+
+struct Renumber
+{
+    Span<const std::uint32_t> now;
+    Span<std::uint32_t> indices;
+
+    HOST_DEVICE void operator()(int k) const { indices[k] = now[int(indices[k])]; }
+};
+
+}
+
+void Ghosts::set(const Indices& sent, std::vector<int> sentCounts, std::vector<int> receivedCounts, int first)
+{
+    Indices received(std::accumulate(receivedCounts.begin(), receivedCounts.end(), 0));
+    std::iota(received.begin(), received.end(), std::uint32_t(first));
+    sent_.upload(sent);
+    received_.upload(received);
+    sentCounts_ = std::move(sentCounts);
+    receivedCounts_ = std::move(receivedCounts);
 }
 
 void Ghosts::reorder(const Buffer<std::uint32_t>& order)
 {
-    const Indices before = order.download();
-    Indices now(before.size());
-    for (std::size_t i = 0; i < before.size(); ++i) now[before[i]] = std::uint32_t(i);
-    for (std::vector<Buffer<std::uint32_t>>* lists : {&sent_, &received_})
+    Buffer<std::uint32_t> now(order.size());
+    forEach(order.size(), Invert{order.span(), now.span()});
+    for (Buffer<std::uint32_t>* list : {&sent_, &received_}) forEach(list->size(), Renumber{now.span(), list->span()});
+}
+
+void Ghosts::exchange(std::size_t each) const
+{
+    std::vector<SentPiece> sent;
+    std::vector<ReceivedPiece> received;
+    const std::byte* out = out_.data();
+    std::byte* in = in_.data();
+    for (int k = 0; k < int(sentCounts_.size()); ++k)
     {
-        for (Buffer<std::uint32_t>& list : *lists)
-        {
-            Indices indices = list.download();
-            for (std::uint32_t& i : indices) i = now[i];
-            list.upload(indices);
-        }
+        const std::size_t give = sentCounts_[k] * each, take = receivedCounts_[k] * each;
+        if (give > 0) sent.push_back({k, out, give});
+        if (take > 0) received.push_back({k, in, take});
+        out += give;
+        in += take;
     }
+    parts().exchange(sent, received);
 }
 
 template void Ghosts::copy(Buffer<scalar>&) const;

@@ -25,9 +25,14 @@ void CaseSetup::readLiquidProperties()
     liquidProperties = Dictionary::read(path / "constant/liquidProperties");
 }
 
+std::unique_ptr<Liquid> CaseSetup::emptyLiquid() const
+{
+    return std::make_unique<Liquid>(LiquidProperties::read(*solution, *liquidProperties), solution->subDictOrEmpty("kernel"));
+}
+
 void CaseSetup::makeLiquid()
 {
-    liquid = std::make_unique<Liquid>(LiquidProperties::read(*solution, *liquidProperties), solution->subDictOrEmpty("kernel"));
+    liquid = emptyLiquid();
     liquidProperties->refuseUnused();
 }
 

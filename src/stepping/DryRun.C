@@ -3,6 +3,7 @@
 
 #include "stepping/SubStep.H"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -27,7 +28,7 @@ double secondsOf(const std::function<void()>& work)
 RunForecast forecastRun
 (
     const Time& time, const StepControl& control, Liquid& liquid, Walls& walls, Models& models, double maxSpeed,
-    double measuredFor
+    double measuredFor, const std::optional<RowCut>& cut
 )
 {
     RunForecast forecast;
@@ -36,6 +37,7 @@ RunForecast forecastRun
     forecast.subSteps = std::max(0.0, std::ceil(left / time.deltaT() - 1e-9)) * forecast.subStep.count;
 
     Neighbourhood near(liquid);
+    if (cut) near.cut(*cut);
     const scalar dt = liquid.units().toScaled(forecast.subStep.dt, dimensions::time);
     SubStep subStep(liquid, near, walls, models);
     const auto step = [&] { subStep(dt); };
@@ -55,15 +57,18 @@ RunForecast forecastRun
 void reportDryRun
 (
     const Time& time, const StepControl& control, Liquid& liquid, Walls& walls, Models& models,
-    const DeviceInfo& device, double maxSpeed
+    const DeviceInfo& device, double maxSpeed, const std::optional<RowCut>& cut
 )
 {
-    const RunForecast forecast = forecastRun(time, control, liquid, walls, models, maxSpeed);
-    const double megabytes = forecast.bytes / 1048576.0;
+    const RunForecast forecast = forecastRun(time, control, liquid, walls, models, maxSpeed, 0, cut);
+    const std::vector<std::size_t> bytes = liquid.parts().gather(forecast.bytes);
+    const std::vector<int> particles = liquid.parts().gather(liquid.owned());
+    const std::size_t most = std::max_element(bytes.begin(), bytes.end()) - bytes.begin();
+    const double megabytes = bytes[most] / 1048576.0;
     std::cout
         << "\nDry run, nothing is written\n"
         << "memory on the device : " << megabytes << " MiB of " << device.memoryBytes / 1048576.0 << " MiB ("
-        << forecast.bytes / std::max(1, liquid.owned()) << " bytes a liquid particle)\n"
+        << bytes[most] / std::max(1, particles[most]) << " bytes a liquid particle)" << (bytes.size() > 1 ? ", of the part that needs most\n" : "\n")
         << "steps                : " << forecast.subSteps << " of " << forecast.subStep.dt << " s, limited by "
         << forecast.subStep.limit << '\n'
         << "time a step          : " << 1e3 * forecast.secondsPerSubStep << " ms, measured on the first steps\n"

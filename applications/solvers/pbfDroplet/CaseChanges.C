@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CaseChanges.H"
 
+#include "SameFiles.H"
 #include "core/dictionary/Differences.H"
 #include "thetaModels/ThetaField.H"
 
@@ -63,20 +64,12 @@ Dictionary CaseChanges::readOrEmpty(const std::filesystem::path& file)
 bool CaseChanges::apply(const Time& time, CaseSetup& setup)
 {
     if (!time.modifiable()) return false;
-    std::string names;
-    for (Watched& dictionary : dictionaries_)
-    {
-        if (!dictionary.file.changed()) continue;
-        const std::string name = std::filesystem::relative(dictionary.file.path(), time.casePath()).string();
-        names += (names.empty() ? "" : ", ") + name;
-        if (name == wettabilityFile) anew_.wettability = true;
-    }
-    if (theta_ && theta_->changed())
-    {
-        names += (names.empty() ? "" : ", ") + std::string("solid/theta");
-        anew_.theta = true;
-    }
-    if (names.empty()) return false;
+    const Communicator& parts = setup.liquid->parts();
+    const std::uint32_t changed = parts.fold(Changed{look()}).files;
+    if (changed == 0) return false;
+    awaitSameFiles(parts, files());
+    if (parts.parts() > 1) look();              // who sees the same files later
+    const std::string names = note(changed, time.casePath());
     try
     {
         make(time, setup);
@@ -91,6 +84,42 @@ bool CaseChanges::apply(const Time& time, CaseSetup& setup)
         );
         return false;
     }
+}
+
+// A bit each of the dictionaries that have changed, and one for the angles.
+std::uint32_t CaseChanges::look()
+{
+    std::uint32_t changed = 0;
+    for (std::size_t d = 0; d < dictionaries_.size(); ++d) changed |= std::uint32_t(dictionaries_[d].file.changed()) << d;
+    return changed | std::uint32_t(theta_ && theta_->changed()) << dictionaries_.size();
+}
+
+std::vector<std::filesystem::path> CaseChanges::files() const
+{
+    std::vector<std::filesystem::path> files;
+    for (const Watched& dictionary : dictionaries_) files.push_back(dictionary.file.path());
+    if (theta_) files.push_back(theta_->path());
+    return files;
+}
+
+// What there is to be made anew; the names of the files.
+std::string CaseChanges::note(std::uint32_t changed, const std::filesystem::path& casePath)
+{
+    std::string names;
+    const auto add = [&](const std::string& name) { names += (names.empty() ? "" : ", ") + name; };
+    for (std::size_t d = 0; d < dictionaries_.size(); ++d)
+    {
+        if ((changed >> d & 1) == 0) continue;
+        const std::string name = std::filesystem::relative(dictionaries_[d].file.path(), casePath).string();
+        add(name);
+        if (name == wettabilityFile) anew_.wettability = true;
+    }
+    if (changed >> dictionaries_.size() & 1)
+    {
+        add("solid/theta");
+        anew_.theta = true;
+    }
+    return names;
 }
 
 void CaseChanges::make(const Time& time, CaseSetup& setup)
@@ -119,6 +148,7 @@ void CaseChanges::make(const Time& time, CaseSetup& setup)
     {
         Models fresh(time.casePath(), solution, liquid, walls);
         solution.refuseUnused();
+        if (liquid.parts().parts() > 1) fresh.refuseParts();
         if (fresh.angles && walls.particles() > 0)
         {
             if (anew_.wettability) fresh.angles->particles = caseTheta(time.casePath());

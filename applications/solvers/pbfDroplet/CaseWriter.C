@@ -6,10 +6,14 @@ namespace shizuku
 
 void CaseWriter::write(Time& time, FlowView& flow, const CaseChanges& changes, FunctionObjects& functions)
 {
+    if (!writes_)
+    {
+        if (time.writeDue()) time.writing({});
+        return;
+    }
     WriteJob state;
     if (time.writeDue())
     {
-        flow.models.pressure->complete();
         const Liquid& liquid = flow.liquid();
         const auto particles = particles_.copy(liquid, liquid.units(), time.format());
         const auto theta = changes.writingTheta(time.format());

@@ -6,9 +6,13 @@
 #include "drops/SeparateBodies.H"
 #include "thetaModels/ThetaField.H"
 
+#include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <sstream>
+#include <thread>
 
 namespace shizuku
 {
@@ -26,6 +30,12 @@ std::string flatteningWarning(const FlowView& flow)
     if (!(pressing > 0 && p.surfaceTension > 0)) return {};
     return puddleWarning(std::sqrt(p.surfaceTension/(p.density*pressing)), flow.walls.contactAngles().second, p.spacing);
 }
+
+struct Signal
+{
+    int number = 0;
+    void add(const Signal& other) { number = std::max(number, other.number); }
+};
 
 void warnOfResolution(FlowView& flow)
 {
@@ -95,33 +105,61 @@ void reportStep(const SubSteps& steps, FlowView& flow)
         << executionTime() << std::endl;
 }
 
-void stopWhereAsked(Time& time, const FunctionObjects& functions)
+void stopWhereAsked(Time& time, const FunctionObjects& functions, const Communicator& parts)
 {
     const std::string reason = functions.reasonToEnd();
-    if (reason.empty() || !time.running()) return;
+    if (!parts.any(parts.part() == 0 && !reason.empty()) || !time.running()) return;
     std::cout << "\nThe next step is the last. " << reason << std::endl;
     time.stop();
 }
 
-bool stopWhereSignalled(Time& time, const StopSignals& signals)
+Interruption stopWhereSignalled(Time& time, const StopSignals& signals, const Communicator& parts)
 {
-    const Interruption interruption = signals.received();
-    if (interruption.signal == 0 || !time.running()) return false;
+    const Interruption interruption{parts.fold(Signal{signals.received().signal}).number};
+    if (interruption.signal == 0 || !time.running()) return {};
     std::cout << "\nThe present step is the last. " << interruption.name() << " came; another one ends the run at once" << std::endl;
     time.stopHere();
-    return true;
+    return interruption;
+}
+
+void endWhereInterrupted(const Interruption& interruption, const Communicator& parts)
+{
+    if (interruption.signal == 0) return;
+    parts.any(true);                    // part 0 has written all
+    if (parts.part() > 0) std::this_thread::sleep_for(std::chrono::milliseconds(300));       // and says so before mpirun ends it
+    throw interruption;
+}
+
+int partsOfHost(const Communicator& parts)
+{
+    const std::vector<int> numbers = parts.gather(parts.partOfHost());
+    return 1 + *std::max_element(numbers.begin(), numbers.end());
+}
+
+void warnOfSharedDevices(const DeviceInfo& device, const Communicator& parts)
+{
+    std::array<char, 16> identity{};
+    if (device.identity.size() != identity.size()) return;
+    std::copy(device.identity.begin(), device.identity.end(), identity.begin());
+    auto all = parts.gather(identity);
+    std::sort(all.begin(), all.end());
+    const std::size_t gpus = std::unique(all.begin(), all.end()) - all.begin();
+    if (gpus < all.size()) warning(std::to_string(all.size()) + " parts share " + std::to_string(gpus) + " GPUs: one part a GPU is fastest");
 }
 
 void reportCosts(const Liquid& liquid, const CaseWriter& writer)
 {
-    const std::size_t bytes = deviceCounters().peakBytes;
-    std::cout << "\nMemory on the device: " << bytes / 1048576.0 << " MiB (" << bytes / liquid.owned()
-              << " bytes a liquid particle)\nWriting: the time loop waited " << writer.waited() << " s for it" << std::endl;
+    const Communicator& parts = liquid.parts();
+    const auto bytes = parts.gather(deviceCounters().peakBytes);
+    const auto particles = parts.gather(liquid.owned());
+    const std::size_t most = std::max_element(bytes.begin(), bytes.end()) - bytes.begin();
+    std::cout << "\nMemory on the device: " << bytes[most] / 1048576.0 << " MiB (" << bytes[most] / std::max(1, particles[most])
+              << " bytes a liquid particle)" << (bytes.size() > 1 ? ", of the part that needs most" : "") << "\nWriting: the time loop waited " << writer.waited() << " s for it" << std::endl;
 }
 
 void refuseDivergence
 (
-    const Time& time, const SubSteps& steps, double spacing, const Speeds& speeds, CaseWriter& writer
+    const Time& time, const SubSteps& steps, double spacing, const Speeds& speeds, CaseWriter& writer, const Communicator& parts
 )
 {
     constexpr double mostSpacings = 10;
@@ -129,6 +167,7 @@ void refuseDivergence
     if (speeds.nonFinite == 0 && moved <= mostSpacings) return;
 
     writer.finish();
+    parts.any(true);                    // part 0 has finished as well
     std::ostringstream text;
     text << "The run diverged at time " << time.name() << " s: ";
     if (speeds.nonFinite > 0)

@@ -7,17 +7,22 @@
 #include "CaseChanges.H"
 #include "CaseWriter.H"
 #include "ProfileReport.H"
+#include "SameFiles.H"
 #include "StepReport.H"
 #include "core/arguments/StopSignals.H"
 #include "core/arguments/runApplication.H"
 #include "core/time/CaseLock.H"
 #include "device/DeviceApplication.H"
+#include "device/Processors.H"
 #include "functionObjects/FunctionObjects.H"
 #include "functionObjects/ModelList.H"
+#include "parallel/ParallelRun.H"
+#include "stepping/Balance.H"
 #include "stepping/DryRun.H"
 #include "stepping/TimeStep.H"
 
 #include <iostream>
+#include <optional>
 
 namespace shizuku
 {
@@ -25,14 +30,20 @@ namespace shizuku
 namespace
 {
 
-void pbfDroplet(const Arguments& args)
+// Part 0 writes, prints, and has the function objects: what these look at is gathered there.
+void pbfDroplet(const Arguments& args, const Communicator& parts)
 {
-    const DeviceInfo device = openNamedDevice();
+    const bool isCut = parts.parts() > 1, isFirst = parts.part() == 0;
+    shareProcessors(partsOfHost(parts));
+    const DeviceInfo device = openNamedDevice(parts.partOfHost());
+    warnOfSharedDevices(device, parts);
 
-    Time time(args.casePath());
+    Time time(args.casePath(), isFirst);
     CaseChanges changes(time);
     CaseSetup setup(args.casePath());
     setup.make(time.value());
+    if (isCut) setup.models->refuseParts();
+    Balance balance(isCut ? BalanceControls::read(args.casePath()) : BalanceControls());
     FunctionObjects functions(time, setup.liquid->properties().spacing, !args.found("noFunctionObjects"));
     setup.readParticles(time);
     setup.refuseBadStart(time);
@@ -45,19 +56,29 @@ void pbfDroplet(const Arguments& args)
     TimeStep step(time, setup, near);
     reportStart(flow);
     limitStepsOfBlobs(flow, step);
-    if (args.found("dry-run")) return reportDryRun(time, step.control(), liquid, *setup.walls, *setup.models, device, step.speeds().now);
+    if (isCut)
+    {
+        balance.begin(liquid, near, parts);
+        flow.cut(isFirst ? setup.emptyLiquid() : nullptr);
+    }
+    if (args.found("dry-run"))
+    {
+        const std::optional<RowCut> cut = isCut ? std::optional(balance.cut()) : std::nullopt;
+        return reportDryRun(time, step.control(), liquid, *setup.walls, *setup.models, device, step.speeds().now, cut);
+    }
 
-    const CaseLock alone(args.casePath());
+    std::optional<CaseLock> alone;
+    if (isFirst) alone.emplace(args.casePath());
     if (time.index() == 0) step.settle();
-    CaseWriter writer;
+    CaseWriter writer(isFirst);
     ProfileReport profile(args.found("profile"));
     const StopSignals signals;
     std::cout << "Ready for the first step after " << clockTime() << " s" << std::endl;
-    stopWhereAsked(time, functions);                    // by the step that the run goes on from
-    bool interrupted = false;
+    stopWhereAsked(time, functions, parts);             // by the step that the run goes on from
+    Interruption interruption;
     while (time.running())
     {
-        if (time.readIfModified()) step.readControls();
+        if (readIfModified(time, parts)) step.readControls();
         if (changes.apply(time, setup))
         {
             step.beginAnew();
@@ -65,23 +86,28 @@ void pbfDroplet(const Arguments& args)
         }
         const SubSteps steps = step.divide();
         time.advance();
+        balance.keep(liquid, near);
         step.make(steps);
         flow.moved(steps.dt);
-        interrupted = stopWhereSignalled(time, signals);
-        if (time.reportDue() || functions.lookAtDensities(time)) flow.computeDensities();
+        interruption = stopWhereSignalled(time, signals, parts);
+        const bool densitiesAreDue = time.reportDue() || functions.lookAtDensities(time);
+        if (densitiesAreDue) flow.computeDensities();
         step.beginNext(steps);
-        refuseDivergence(time, steps, liquid.properties().spacing, step.speeds(), writer);
+        refuseDivergence(time, steps, liquid.properties().spacing, step.speeds(), writer, parts);
 
-        functions.execute(flow);
-        stopWhereAsked(time, functions);
-        if (time.reportDue()) reportStep(steps, flow);
+        if (time.writeDue()) setup.models->pressure->complete();
+        if (isCut && densitiesAreDue) flow.state();
+        if (time.writeDue() || functions.lookAtParticles(time)) flow.gather();
+        if (isFirst) functions.execute(flow);
+        stopWhereAsked(time, functions, parts);
+        if (isFirst && time.reportDue()) reportStep(steps, flow);
         writer.write(time, flow, changes, functions);
         profile.count(steps.count);
     }
     writer.finish();
     reportCosts(liquid, writer);
     profile.report(liquid, near);
-    if (interrupted) signals.endIfReceived();
+    endWhereInterrupted(interruption, parts);
 }
 
 }
@@ -91,22 +117,23 @@ void pbfDroplet(const Arguments& args)
 extern "C" int runOnDevice(int argc, char** argv)
 {
     using namespace shizuku;
-    return runApplication
-    (
-        argc, argv,
+    const ApplicationInfo info
+    {
+        .name = "pbfDroplet",
+        .summary = "Liquid with surface tension on wettable solids, by position based fluids.",
+        .options =
         {
-            .name = "pbfDroplet",
-            .summary = "Liquid with surface tension on wettable solids, by position based fluids.",
-            .options =
-            {
-                deviceOption(),
-                precisionOption(),
-                {"dry-run", "", "read and check everything, print memory and cost, run nothing", ""},
-                {"profile", "", "print what each kernel took, per sub-step, at the end", ""},
-                {"noFunctionObjects", "", "leave out the function objects of system/controlDict", ""}
-            },
-            .models = modelList
+            deviceOption(),
+            precisionOption(),
+            {"parallel", "", "as one of those that mpirun has started: mpirun -np 4 pbfDroplet -parallel", ""},
+            {"dry-run", "", "read and check everything, print memory and cost, run nothing", ""},
+            {"profile", "", "print what each kernel took, per sub-step, at the end", ""},
+            {"noFunctionObjects", "", "leave out the function objects of system/controlDict", ""}
         },
-        pbfDroplet
-    );
+        .models = modelList
+    };
+    return runInParts(argc, argv, [&](const Communicator& parts)
+    {
+        return runApplication(argc, argv, info, [&](const Arguments& args) { pbfDroplet(args, parts); });
+    });
 }

@@ -112,8 +112,8 @@ void refuseRemoved(const fs::path& casePath)
 
 }
 
-Time::Time(const fs::path& casePath)
-    : case_(casePath), file_(case_ / "system/controlDict"), dict_(Dictionary::read(file_.path())),
+Time::Time(const fs::path& casePath, bool writes)
+    : case_(casePath), writes_(writes), file_(case_ / "system/controlDict"), dict_(Dictionary::read(file_.path())),
       controls_(readControls(Dictionary::read(file_.path()))), pace_("Time")
 {
     const TimeFolder folder = findStart(case_, controls_, dict_);
@@ -181,8 +181,11 @@ void Time::advance()
 {
     if (state_.index == start_.index)
     {
-        requireWritable(case_);
-        removePartialFolders(case_);
+        if (writes_)
+        {
+            requireWritable(case_);
+            removePartialFolders(case_);
+        }
         pace_ = Progress("Time");
     }
     refuseRemoved(case_);
@@ -238,9 +241,8 @@ fs::path Time::path() const
     return state_.index == start_.index ? startFolder_ : case_ / name();
 }
 
-bool Time::readIfModified()
+bool Time::readAnew()
 {
-    if (!controls_.runTimeModifiable || !file_.changed()) return false;
     try
     {
         const Dictionary dict = Dictionary::read(file_.path()), checked = Dictionary::read(file_.path());

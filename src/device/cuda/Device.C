@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/Device.H"
 #include "device/Memory.H"
+#include "device/Processors.H"
 #include "device/Profile.H"
 #include "device/cuda/Check.H"
 #include "device/cuda/LaunchQueue.H"
@@ -16,7 +17,7 @@ namespace shizuku
 
 using device::check;
 
-DeviceInfo openDevice()
+DeviceInfo openDevice(int user)
 {
     int count = 0;
     const cudaError_t status = cudaGetDeviceCount(&count);
@@ -29,11 +30,16 @@ DeviceInfo openDevice()
           + "\n    Valid choices are auto, cpu, cuda; 'auto' takes the CPU where there is no GPU."
         );
     }
-    check(cudaSetDevice(0), "cannot select GPU 0");
+    const int gpu = user % count;
+    const std::string name = "GPU " + std::to_string(gpu);
+    check(cudaSetDevice(gpu), ("cannot select " + name).c_str());
     cudaDeviceProp properties{};
-    check(cudaGetDeviceProperties(&properties, 0), "cannot read the properties of GPU 0");
-    return {"cuda", properties.name, properties.totalGlobalMem};
+    check(cudaGetDeviceProperties(&properties, gpu), ("cannot read the properties of " + name).c_str());
+    return {"cuda", properties.name, properties.totalGlobalMem, std::string(properties.uuid.bytes, sizeof properties.uuid.bytes)};
 }
+
+// Processors have little to do.
+void shareProcessors(int) {}
 
 void synchronize()
 {

@@ -3,6 +3,7 @@
 #include "device/Device.H"
 #include "device/Lanes.H"
 #include "device/Memory.H"
+#include "device/Processors.H"
 #include "device/Profile.H"
 #include "device/Readback.H"
 
@@ -34,11 +35,18 @@ std::string processorName()
 
 }
 
-DeviceInfo openDevice()
+DeviceInfo openDevice(int)
 {
     const std::size_t memory = std::size_t(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGE_SIZE);
     const std::string backend = sizeof(scalar) == 8 ? "cpuDouble" : "cpu";
     return {backend, processorName() + ", " + std::to_string(omp_get_max_threads()) + " threads", memory};
+}
+
+// A process that is bound to some processors takes no others.
+void shareProcessors(int users)
+{
+    if (users < 2 || std::getenv("OMP_NUM_THREADS")) return;
+    omp_set_num_threads(std::clamp(int(sysconf(_SC_NPROCESSORS_ONLN)) / users, 1, omp_get_num_procs()));
 }
 
 void synchronize() {}

@@ -49,6 +49,7 @@ public:
         });
     }
 
+    bool looksAtParticles() const override { return false; }
     const CsvFile* table() const override { return &table_; }
 
 private:

@@ -19,6 +19,7 @@
 #include "functionObjects/FunctionObject.H"
 
 #include <algorithm>
+#include <utility>
 
 namespace shizuku
 {
@@ -92,7 +93,7 @@ public:
     {
         if (!asked("p")) return;
         const bool atStart = flow.subStep() == 0;
-        pressure_ = flow.models.pressure->keepPressure();
+        pressure_ = flow.models.pressure->keepPressure() != nullptr;
         if (pressure_ || !atStart) return;             // a model without pressure in the middle of a run: no numbers
         throw FatalInputError(where_, "The pressure model of constant/models has no pressure p", "rho, U; or pressure pbf");
     }
@@ -156,7 +157,7 @@ private:
                     Weighted<Kernel>
                     {
                         W, point, liquid.position.span(), liquid.velocity.span(), liquid.density.span(),
-                        pressure_ ? pressure_->span() : Span<const scalar>{}
+                        pressure_ ? pressureOf(liquid) : Span<const scalar>{}
                     },
                     scratch_
                 );
@@ -165,11 +166,19 @@ private:
         );
     }
 
+    // The field that the model keeps.
+    static Span<const scalar> pressureOf(const Liquid& liquid)
+    {
+        const auto& entries = liquid.fields().entries();
+        const auto found = std::find_if(entries.begin(), entries.end(), [](const auto& entry) { return entry->info.name == "p"; });
+        return std::get<Buffer<scalar>>(std::as_const((*found)->values)).span();
+    }
+
     std::vector<std::string> fields_;
     SourceLocation where_;
     std::vector<std::array<double, 3>> places_;         // m
     CsvFile table_;
-    const Buffer<scalar>* pressure_ = nullptr;
+    bool pressure_ = false;             // the model has one
     Buffer<ProbeSums> scratch_;
 };
 

@@ -183,6 +183,7 @@ public:
     }
 
     bool looksAtDensities() const override { return false; }
+    bool looksAtParticles() const override { return false; }
     std::string reasonToEnd() const override { return reason_; }
 
 private:

@@ -43,6 +43,7 @@ public:
     }
 
     bool looksAtDensities() const override { return false; }
+    bool looksAtParticles() const override { return false; }
     const CsvFile* table() const override { return &table_; }
 
     WriteJob writing() override

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parallel/ParallelRun.H"
+
+#include "core/messages/Error.H"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <streambuf>
+#include <string>
+
+namespace shizuku
+{
+
+namespace
+{
+
+bool asksForParts(int argc, char** argv)
+{
+    return std::any_of(argv + 1, argv + argc, [](const std::string& word) { return word == "-parallel" || word == "--parallel"; });
+}
+
+// Started by mpirun, but each by itself.
+void warnOfLonely()
+{
+    const char* const size = std::getenv("OMPI_COMM_WORLD_SIZE");
+    if (size && std::atoi(size) > 1) warning(std::string("mpirun has started ") + size + " processes, and each runs the case by itself: -parallel is missing");
+}
+
+std::unique_ptr<ParallelRun> open(int argc, char** argv)
+{
+    void* const module = dlopen("libshizukuMpi.so", RTLD_NOW | RTLD_GLOBAL);
+    if (!module)
+    {
+        throw FatalError
+        (
+            "Option -parallel needs Open MPI: " + std::string(dlerror())
+          + ".\n    Where libshizukuMpi.so itself is missing, Shizuku was built without it: install libopenmpi-dev (etc/setup does) and build again."
+        );
+    }
+    const auto make = reinterpret_cast<OpenParallelRun>(dlsym(module, "openMpi"));
+    if (!make) throw FatalError("The module libshizukuMpi.so has no entry point");
+    return std::unique_ptr<ParallelRun>(make(&argc, &argv));
+}
+
+// A stream that takes everything and keeps nothing.
+class Nowhere : public std::streambuf
+{
+    int overflow(int character) override { return traits_type::not_eof(character); }
+};
+
+// As long as it lives, what a part other than the first prints goes nowhere, and its errors are kept.
+class Muted
+{
+public:
+    explicit Muted(bool is) : is_(is)
+    {
+        if (!is_) return;
+        output_ = std::cout.rdbuf(&nowhere_);
+        errors_ = std::cerr.rdbuf(&kept_);
+    }
+
+    ~Muted()
+    {
+        if (!is_) return;
+        std::cout.rdbuf(output_);
+        std::cerr.rdbuf(errors_);
+    }
+
+    Muted(const Muted&) = delete;
+    Muted& operator=(const Muted&) = delete;
+
+    std::string errors() const { return kept_.str(); }
+
+private:
+    bool is_;
+    Nowhere nowhere_;
+    std::stringbuf kept_;
+    std::streambuf* output_ = nullptr;
+    std::streambuf* errors_ = nullptr;
+};
+
+}
+
+int runInParts(int argc, char** argv, const std::function<int(const Communicator&)>& run)
+{
+    if (!asksForParts(argc, argv))
+    {
+        warnOfLonely();
+        return run(Alone());
+    }
+    std::unique_ptr<ParallelRun> all;
+    try
+    {
+        all = open(argc, argv);
+    }
+    catch (const FatalError& error)
+    {
+        std::cerr << "\n--> FATAL ERROR:\n" << error.what() << std::endl;
+        return EXIT_FAILURE;
+    }
+    constexpr double soon = 3;          // s: parts that fail for one reason fail together
+    const Communicator& parts = all->parts();
+    int status;
+    std::string errors;
+    {
+        const Muted muted(parts.part() > 0);
+        status = run(parts);
+        errors = muted.errors();
+    }
+    if (status == EXIT_SUCCESS || all->allCome(soon)) return status;
+    if (parts.part() > 0) std::cerr << "\nPart " << parts.part() << " of " << parts.parts() << ":" << errors << std::flush;
+    all->abort(status);
+}
+
+}

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stepping/Balance.H"
+
+#include "core/messages/Error.H"
+#include "device/ForEach.H"
+
+#include <algorithm>
+#include <cstring>
+#include <iostream>
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct RowOf
+{
+    CellGridView grid;
+    RowCut cut;
+    Span<const Position> x;
+    Span<std::uint32_t> row;
+
+    HOST_DEVICE void operator()(int i) const { row[i] = std::uint32_t(cut.rowOf(grid.cellPlace(x[i]))); }
+};
+
+// Of the owned particles.
+std::vector<std::uint32_t> rowsOf(const Liquid& liquid, const Neighbourhood& near, const RowCut& cut)
+{
+    Buffer<std::uint32_t> rows(liquid.owned());
+    forEach(liquid.owned(), RowOf{near.grid().view(), cut, liquid.position.span(), rows.span()});
+    return rows.download();
+}
+
+ParticlesOfRows countRows(const std::vector<std::uint32_t>& rows)
+{
+    ParticlesOfRows counts;
+    for (const std::uint32_t row : rows) ++counts[int(row)];
+    return counts;
+}
+
+// Those of all parts.
+ParticlesOfRows addUp(const ParticlesOfRows& own, const Communicator& parts)
+{
+    struct Row
+    {
+        std::int64_t row, particles;
+    };
+    std::vector<Row> list;
+    for (const auto& [row, particles] : own) list.push_back({row, particles});
+    const auto* const first = reinterpret_cast<const std::byte*>(list.data());
+    ParticlesOfRows all;
+    for (const Bytes& bytes : parts.exchange(std::vector<Bytes>(parts.parts(), Bytes(first, first + list.size() * sizeof(Row)))))
+    {
+        list.resize(bytes.size() / sizeof(Row));
+        if (!bytes.empty()) std::memcpy(list.data(), bytes.data(), bytes.size());
+        for (const Row& each : list) all[int(each.row)] += each.particles;
+    }
+    return all;
+}
+
+// The largest part over the average.
+double imbalance(std::vector<std::int64_t> particles)
+{
+    std::int64_t all = 0;
+    for (const std::int64_t of : particles) all += of;
+    return all > 0 ? double(*std::max_element(particles.begin(), particles.end())) * double(particles.size()) / double(all) : 1;
+}
+
+double imbalance(const ParticlesOfRows& rows, const RowCut& cut)
+{
+    std::vector<std::int64_t> particles(cut.parts);
+    for (const auto& [row, count] : rows) particles[cut.partOf(row)] += count;
+    return imbalance(particles);
+}
+
+const char* directionOf(const RowCut& cut) { return cut.acrossZ ? "z" : "y"; }
+
+}
+
+BalanceControls BalanceControls::read(const std::filesystem::path& casePath)
+{
+    BalanceControls controls;
+    const auto file = casePath / "system/decomposeParDict";
+    if (!std::filesystem::exists(file)) return controls;
+    const Dictionary dict = Dictionary::read(file);
+    dict.lookupChoiceOr("method", {"rows"}, "rows");
+    const std::string direction = dict.lookupChoiceOr("direction", {"y", "z", "auto"}, "auto");
+    if (direction != "auto") controls.acrossZ = direction == "z";
+    controls.rebalanceAbove = dict.lookupOr("rebalanceAbove", controls.rebalanceAbove);
+    if (!(controls.rebalanceAbove >= 0))
+    {
+        throw FatalInputError(dict.where("rebalanceAbove"), "The share is negative", "0 or more, 0.1 for a tenth");
+    }
+    dict.refuseUnused();
+    return controls;
+}
+
+void Balance::begin(Liquid& liquid, Neighbourhood& near, const Communicator& parts)
+{
+    if (parts.parts() > RowCut::mostParts)
+    {
+        throw FatalInputError
+        (
+            {}, "The liquid cannot be cut into " + std::to_string(parts.parts()) + " parts",
+            std::to_string(RowCut::mostParts) + " at most: mpirun -np " + std::to_string(RowCut::mostParts)
+        );
+    }
+    const bool acrossZ = controls_.acrossZ.value_or
+    (
+        countRows(rowsOf(liquid, near, {1, true})).size() > countRows(rowsOf(liquid, near, {1, false})).size()
+    );
+    cut_.acrossZ = acrossZ;
+    const std::vector<std::uint32_t> rows = rowsOf(liquid, near, cut_);
+    const ParticlesOfRows counts = countRows(rows);
+    cut_ = cutEvenly(counts, parts.parts(), acrossZ);
+    std::cout << "Parts  : " << parts.parts() << ", cut across " << directionOf(cut_) << ", the largest " << imbalance(counts, cut_) << " of the average" << std::endl;
+    if (counts.size() < std::size_t(parts.parts()))
+    {
+        warning("There are " + std::to_string(parts.parts()) + " parts and " + std::to_string(counts.size()) + " rows of cells with liquid: some parts have none");
+    }
+
+    std::vector<std::uint32_t> own;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+    {
+        if (cut_.partOf(int(rows[i])) == parts.part()) own.push_back(std::uint32_t(i));
+    }
+    liquid.fields().reorder(Buffer<std::uint32_t>(own));
+    liquid.resize(int(own.size()));
+    liquid.ghosts().join(parts);
+    near.cut(cut_);
+}
+
+void Balance::keep(const Liquid& liquid, Neighbourhood& near)
+{
+    const Communicator& parts = liquid.parts();
+    if (parts.parts() == 1 || ++steps_ % interval != 0) return;
+    const double before = imbalance(parts.gather(std::int64_t(liquid.owned())));
+    if (before <= 1 + controls_.rebalanceAbove) return;
+    const ParticlesOfRows rows = addUp(countRows(rowsOf(liquid, near, cut_)), parts);
+    const RowCut anew = cutEvenly(rows, cut_.parts, cut_.acrossZ);
+    const double after = imbalance(rows, anew);
+    if (after >= before) return;                // rows are too coarse
+    cut_ = anew;
+    near.cut(cut_);
+    std::cout << "\nThe liquid is cut anew: the largest part had " << before << " of the average, now " << after << std::endl;
+}
+
+}

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// mpirun -np N pbfDroplet -parallel: on any number of ranks the same files, tables and steps as one process.
+
+#include "SolverCase.H"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <regex>
+#include <thread>
+
+namespace shizuku::test
+{
+
+namespace
+{
+
+class Parallel : public SolverCase
+{
+protected:
+    static inline const std::string functions =
+        "functions { state { type liquidState; } size { type volume; spray yes; } work { type energy; } spread { type spreadDiameter; }"
+        " angle { type contactAngle; wall floor; } gauge { type probes; fields (rho U p); probeLocations ((0 0 1e-3) (2e-3 1e-3 3e-3)); } }";
+    static inline const std::string endless = "endTime 10; writeInterval 5; functions { drop { type liquidState; } }";
+
+    Parallel()
+    {
+        setenv("OMP_NUM_THREADS", "1", 1);
+        setenv("OMPI_MCA_mpi_yield_when_idle", "1", 1);         // ranks that wait by spinning take each other's core
+        write
+        (
+            "constant/models",
+            "pressure pbf;\nsurfaceTension Fujisawa2014;\nwetting contactAngle;\ncontactAngleCoeffs { solidNormal wall; }\nviscosity XSPH;\nbodyForce gravity;\n"
+        );
+        fill({0.1, 0.3, -0.2});         // so that particles go from part to part
+    }
+
+    std::string parallel(int ranks, const std::string& arguments = "") const
+    {
+        return "mpirun --oversubscribe --allow-run-as-root -np " + std::to_string(ranks) + " " + command("pbfDroplet", "-parallel " + arguments);
+    }
+
+    // All that a run leaves: times and tables.
+    Contents results() const
+    {
+        Contents all = contents();
+        std::erase_if(all, [](const auto& file) { return file.first.starts_with("system") || file.first.starts_with("constant"); });
+        return all;
+    }
+
+    // One process and so many ranks leave the same, and divide the steps alike.
+    void expectTheSameOf(const std::vector<int>& counts) const
+    {
+        const Outcome one = solve();
+        ASSERT_EQ(one.status, 0) << one.text;
+        const Contents expected = results();
+        const auto steps = stepsOf(one.text);
+        ASSERT_EQ(steps.size(), 4u);
+        for (const int ranks : counts)
+        {
+            SCOPED_TRACE(ranks);
+            removeResults();
+            const Outcome outcome = run(parallel(ranks));
+            ASSERT_EQ(outcome.status, 0) << outcome.text;
+            EXPECT_TRUE(same(expected, results()));
+            const auto logged = stepsOf(outcome.text);
+            ASSERT_EQ(logged.size(), steps.size()) << outcome.text;
+            for (std::size_t k = 0; k < steps.size(); ++k)
+            {
+                EXPECT_EQ(logged[k].subSteps, steps[k].subSteps);
+                EXPECT_EQ(logged[k].maxSpeed, steps[k].maxSpeed);
+            }
+        }
+    }
+
+    // Ranks of a run on this host, by the process that its log names.
+    static std::vector<pid_t> ranksOf(const std::string& log)
+    {
+        std::smatch match;
+        if (!std::regex_search(log, match, std::regex("PID (\\d+)"))) return {};
+        std::ifstream status("/proc/" + match[1].str() + "/status");
+        std::string word, parent;
+        while (status >> word) if (word == "PPid:") status >> parent;
+        std::ifstream children("/proc/" + parent + "/task/" + parent + "/children");
+        std::vector<pid_t> ranks;
+        for (pid_t rank; children >> rank;) ranks.push_back(rank);
+        return ranks;
+    }
+
+    static bool isAt(const Process& process, const std::string& time) { return process.log().find("Time = " + time + " s") != std::string::npos; }
+};
+
+INSTANTIATE_TEST_SUITE_P(Devices, Parallel, testing::Values("cpu"));
+
+}
+
+TEST_P(Parallel, LeavesTheFilesTablesAndStepsOfOneProcess)
+{
+    control(functions);
+    expectTheSameOf({1, 2, 3});
+}
+
+TEST_P(Parallel, LeavesTheSameFilesOfTheDefaultModels)
+{
+    write("constant/models", "pressure completedPbf;\nsurfaceTension laplacePressure;\nwetting extendedSurface;\nviscosity XSPH;\nbodyForce gravity;\n");
+    control("writeFormat binary;" + functions);
+    expectTheSameOf({3});
+}
+
+TEST_P(Parallel, GoesOnWithAnotherNumberOfRanks)
+{
+    control("writeFormat binary;");
+    ASSERT_EQ(solve().status, 0);
+    const Contents whole = contents("0.004");
+    removeResults();
+    control("writeFormat binary; endTime 1e-3;");
+    ASSERT_EQ(run(parallel(2)).status, 0);
+    control("writeFormat binary; endTime 2e-3;");
+    write("system/decomposeParDict", "method rows;\ndirection z;\nrebalanceAbove 0;\n");
+    ASSERT_EQ(run(parallel(3)).status, 0);
+    control("writeFormat binary;");
+    ASSERT_EQ(solve().status, 0);
+    EXPECT_TRUE(same(whole, contents("0.004")));
+}
+
+TEST_P(Parallel, FollowsWhatIsChangedWhileItRuns)
+{
+    control(endless + "runTimeModifiable yes;");
+    Process process(parallel(2), folder_.path()/"log");
+    ASSERT_TRUE(process.runUntil([&] { return isAt(process, "0.003"); })) << process.log();
+    write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma 0.05;\n");
+    ASSERT_TRUE(process.runUntil([&] { return process.log().find("sigma: 0.0728 -> 0.05") != std::string::npos; })) << process.log();
+    write("constant/models", "pressure pbf;\nsurfaceTension none;\nwetting none;\nviscosity laminar;\nbodyForce none;\n");
+    ASSERT_TRUE(process.runUntil([&] { return process.log().find("The change of constant/models is left out") != std::string::npos; })) << process.log();
+    EXPECT_TRUE(holds(process.log(), {"The liquid cannot be cut into parts with viscosity laminar"}));
+    control("endTime 1e-3; runTimeModifiable yes; stopAt writeNow;");
+    EXPECT_EQ(process.wait(), 0) << process.log();
+    EXPECT_TRUE(holds(process.log(), {"\nEnd\n"}));
+}
+
+// Cut across y, along which it moves by several times its width.
+TEST_P(Parallel, CutsTheLiquidAnewWhereItHasMoved)
+{
+    fill({0, 1, 0});
+    control("endTime 30e-3; writeInterval 30; reportInterval 30;");
+    write("system/decomposeParDict", "direction y;\nrebalanceAbove 0.05;\n");
+    ASSERT_EQ(solve().status, 0);
+    const Contents whole = contents("0.03");
+    removeResults();
+    const Outcome outcome = run(parallel(2));
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"Parts  : 2, cut across y", "The liquid is cut anew: the largest part had "}));
+    EXPECT_TRUE(same(whole, contents("0.03")));
+}
+
+TEST_P(Parallel, RunsWithMoreRanksThanRowsOfLiquid)
+{
+    control("endTime 2e-3;");
+    ASSERT_EQ(solve().status, 0);
+    const Contents whole = contents("0.002");
+    removeResults();
+    const Outcome outcome = run(parallel(6));
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"There are 6 parts and ", "some parts have none"}));
+    EXPECT_TRUE(same(whole, contents("0.002")));
+}
+
+TEST_P(Parallel, RefusesWhatItCannotDoOnceAndLeavesTheCase)
+{
+    const auto refused = [&](const std::vector<std::string>& parts)
+    {
+        const Contents kept = contents();
+        const Outcome outcome = run(parallel(3));
+        EXPECT_EQ(outcome.status, 1) << outcome.text;
+        EXPECT_TRUE(holds(outcome.text, parts));
+        const std::size_t first = outcome.text.find("--> FATAL");
+        EXPECT_EQ(outcome.text.find("--> FATAL", first + 1), std::string::npos) << outcome.text;
+        EXPECT_TRUE(same(kept, contents()));
+    };
+    write("system/decomposeParDict", "method scotch;\n");
+    refused({"scotch", "system/decomposeParDict at line 1", "rows"});
+    write("system/decomposeParDict", "rebalanceAbove -1;\n");
+    refused({"The share is negative"});
+    remove("system/decomposeParDict");
+    write("system/solution", "spacing 1e-3;\n");
+    write("constant/models", "pressure WCSPH;\nsurfaceTension none;\nwetting none;\nviscosity XSPH;\nbodyForce none;\n");
+    refused({"The liquid cannot be cut into parts with pressure WCSPH"});
+}
+
+// Only the first rank looks at the lock.
+TEST_P(Parallel, AnErrorOfOneRankEndsAllWithItsMessage)
+{
+    control(endless);
+    Process other(command("pbfDroplet", ""), folder_.path()/"other");
+    ASSERT_TRUE(other.runUntil([&] { return isAt(other, "0.001"); })) << other.log();
+    const auto start = std::chrono::steady_clock::now();
+    const Outcome outcome = run(parallel(2));
+    EXPECT_EQ(outcome.status, 1) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"Another solver runs in", "pbfDroplet: stopped\n"}));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));        // three seconds, of a busy machine
+}
+
+TEST_P(Parallel, ASignalToOneRankEndsAllWithALastWrite)
+{
+    control(endless);
+    Process process(parallel(2), folder_.path()/"log");
+    ASSERT_TRUE(process.runUntil([&] { return isAt(process, "0.003"); })) << process.log();
+    const std::vector<pid_t> ranks = ranksOf(process.log());
+    ASSERT_EQ(ranks.size(), 2u);
+    ::kill(ranks[1], SIGTERM);
+    EXPECT_EQ(process.wait(), 128 + SIGTERM) << process.log();
+    EXPECT_TRUE(holds(process.log(), {"The present step is the last. SIGTERM came"}));
+    const auto steps = stepsOf(process.log());
+    std::ostringstream last;
+    last << steps.back().time;
+    EXPECT_TRUE(exists(last.str() + "/liquid/positions")) << process.log();
+    const Contents stopped = contents(last.str());
+    removeResults();
+    control(endless + "endTime " + last.str() + ";");
+    ASSERT_EQ(solve().status, 0);
+    EXPECT_TRUE(same(stopped, contents(last.str())));
+}
+
+TEST_P(Parallel, AKilledRankEndsAllAndTheRunGoesOnFromTheLastTime)
+{
+    control(endless);
+    {
+        Process process(parallel(2), folder_.path()/"log");
+        ASSERT_TRUE(process.runUntil([&] { return isAt(process, "0.007"); })) << process.log();
+        const std::vector<pid_t> ranks = ranksOf(process.log());
+        ASSERT_EQ(ranks.size(), 2u);
+        ::kill(ranks[1], SIGKILL);
+        EXPECT_EQ(process.wait(), 128 + SIGKILL) << process.log();
+    }
+    control("endTime 0.05; writeInterval 50; reportInterval 50;");
+    ASSERT_EQ(run(parallel(3)).status, 0);
+    const Contents gone = contents("0.05");
+    removeResults();
+    ASSERT_EQ(solve().status, 0);
+    EXPECT_TRUE(same(gone, contents("0.05")));
+}
+
+}
