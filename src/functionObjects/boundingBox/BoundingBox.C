@@ -40,7 +40,7 @@ private:
     CsvFile table_;
 };
 
-const FunctionObjectTable::Add<BoundingBox> registered{"boundingBox"};
+const FunctionObjectTable::Add<BoundingBox> registered{"boundingBox", "least and largest coordinates of the liquid"};
 
 }
 

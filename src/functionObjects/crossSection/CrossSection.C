@@ -64,7 +64,7 @@ private:
     CsvFile table_;
 };
 
-const FunctionObjectTable::Add<CrossSection> registered{"crossSection"};
+const FunctionObjectTable::Add<CrossSection> registered{"crossSection", "how much of some planes the liquid covers"};
 
 }
 
