@@ -115,6 +115,7 @@ int runInParts(int argc, char** argv, const std::function<int(const Communicator
     if (status == EXIT_SUCCESS || all->allCome(soon)) return status;
     if (parts.part() > 0) std::cerr << "\nPart " << parts.part() << " of " << parts.parts() << ":" << errors << std::flush;
     all->abort(status);
+    return status;
 }
 
 }
