@@ -46,7 +46,6 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     stepping/StepControl.C
     stepping/CaseSetup.C
     stepping/TimeStep.C
-    functionObjects/FlowView.C
     functionObjects/FunctionControl.C
     functionObjects/boundingBox/BoundingBox.C
     functionObjects/ModelList.C
