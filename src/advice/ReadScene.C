@@ -12,6 +12,7 @@
 #include "meshes/NearestPoint.H"
 #include "meshes/ObjFile.H"
 #include "meshes/StlFile.H"
+#include "models/smoothing/SmoothingShare.H"
 #include "thetaModels/ThetaModel.H"
 
 #include <algorithm>
@@ -52,9 +53,9 @@ void readDictionaries(Scene& scene, const fs::path& path, const Time& time)
             Dictionary::read(path/"constant/g").lookupDimensionedVector("value", dimensions::acceleration);
     }
     scene.maxCapillaryCo = time.controlDict().lookupOr("maxCapillaryCo", usualCapillaryCo);
-    scene.smoothing = models.subDictOrEmpty("XSPHCoeffs").lookupOr("c", 0.2);
+    scene.smoothing = models.subDictOrEmpty("XSPHCoeffs").lookupOr("c", defaultsOfXSPH.c);
     scene.smoothingPerCapillaryStep =
-        models.subDictOrEmpty("XSPHCoeffs").lookupOr("perCapillaryStep", scene.surfaceTension > 0 ? 0.7 : 0.0);
+        models.subDictOrEmpty("XSPHCoeffs").lookupOr("perCapillaryStep", scene.surfaceTension > 0 ? defaultsOfXSPH.perCapillaryStep : 0);
     scene.support = solution.subDictOrEmpty("kernel").lookupOr("support", 2.0);
     scene.maxIterations = solution.subDictOrEmpty("pressure").lookupOr("maxIterations", 10);       // the solver's default
     scene.coarseGrid = solution.subDictOrEmpty("pressure").lookupOr("coarseGrid", false);

@@ -82,6 +82,7 @@ void SubStep::operator()(scalar dt)
         liquid_, models_.pressure->takeDisplacement(), models_.forces.takeDisplacement(dt), walls_,
         models_.freeSurface->support(), dt
     );
+    models_.forces.endStep();
     models_.velocityFilter->apply(liquid_, near_, walls_, dt);
     models_.viscosity->apply(liquid_, near_, walls_, dt);
     models_.particleShifting->apply(liquid_, near_, walls_);

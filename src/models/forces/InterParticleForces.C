@@ -29,7 +29,6 @@ bool InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& 
 
 InternalDisplacement InterParticleForces::takeDisplacement(scalar dt)
 {
-    tension_->endStep();
     return {std::move(acceleration_), dt * dt};
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/smoothing/SmoothingControls.H"
 
-#include "models/smoothing/SmoothingShare.H"
-
 namespace shizuku
 {
 
@@ -34,7 +32,7 @@ scalar shareOf(const Dictionary& coeffs, const std::string& entry, double fallba
     return scalar(share);
 }
 
-SmoothingControls::SmoothingControls(const Dictionary& coeffs, const Liquid& liquid, const Defaults& defaults, bool atWalls)
+SmoothingControls::SmoothingControls(const Dictionary& coeffs, const Liquid& liquid, const SmoothingDefaults& defaults, bool atWalls)
 :
     c_(shareOf(coeffs, "c", defaults.c)),
     perCapillaryStep_(shareOf(coeffs, "perCapillaryStep", liquid.properties().surfaceTension > 0 ? defaults.perCapillaryStep : 0)),

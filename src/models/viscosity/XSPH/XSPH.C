@@ -57,7 +57,7 @@ class XSPH : public Viscosity
 public:
     XSPH(const Dictionary& coeffs, Liquid& liquid)
     :
-        noSlip_(coeffs.lookupOr("noSlip", true)), controls_(coeffs, liquid, {.c = 0.2, .perCapillaryStep = 0.7, .slipAbove = 0.1}, noSlip_)
+        noSlip_(coeffs.lookupOr("noSlip", true)), controls_(coeffs, liquid, defaultsOfXSPH, noSlip_)
     {}
 
     bool seesGhosts() const override { return true; }

@@ -68,9 +68,7 @@ struct TakeOne
             SymmTensor<Vec3> matrix = dt * drag(i);
             matrix.diagonal += Vec3{1, 1, 1};
             const SymmTensor<Vec3> adjoint = adjugate(matrix);
-            const scalar determinant =
-                matrix.diagonal.x * adjoint.diagonal.x + matrix.other.x * adjoint.other.x + matrix.other.z * adjoint.other.z;
-            u = 1 / determinant * (adjoint * u);
+            u = 1 / determinant(matrix, adjoint) * (adjoint * u);
         }
         velocity[i] = u;
     }
@@ -115,7 +113,7 @@ struct Multiply
     }
 };
 
-// In quanta of 2^-72, scaled.
+// In quanta of 2^-72, scaled: of long steps for thick liquids far above what wideQuanta() holds.
 struct ResidualSums
 {
     WideSum squares, energy, velocities;                // r.r, r.(matrix r), u.u
