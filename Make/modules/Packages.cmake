@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What the machine offers. Required: Boost. Optional, and then left out with a message: CUDA (the GPU
-# backend), VTK and CGAL (utilities), MPI (-parallel), GoogleTest and Google Benchmark (tests and benchmarks).
+# backend), VTK and CGAL (utilities), MPI (-parallel), NCCL (between GPUs), GoogleTest and Google Benchmark (tests and benchmarks).
 
 set(Boost_USE_STATIC_LIBS OFF)
 if(POLICY CMP0167)
@@ -73,7 +73,14 @@ find_package(VTK 9 QUIET COMPONENTS
 find_package(GTest QUIET)
 find_package(benchmark QUIET)
 find_package(MPI QUIET COMPONENTS CXX)
-foreach(package CGAL VTK MPI GTest benchmark)
+if(cuda IN_LIST SHIZUKU_BACKENDS)
+    find_path(NCCL_INCLUDE nccl.h HINTS ${CUDAToolkit_INCLUDE_DIRS} /usr/local/cuda/include)
+    find_library(NCCL_LIBRARY nccl HINTS ${CUDAToolkit_LIBRARY_DIR} /usr/local/cuda/lib /usr/local/cuda/lib64)
+endif()
+if(NCCL_INCLUDE AND NCCL_LIBRARY)
+    set(NCCL_FOUND TRUE)
+endif()
+foreach(package CGAL VTK MPI NCCL GTest benchmark)
     if(${package}_FOUND)
         message(STATUS "${package}: found")
     else()

@@ -16,9 +16,9 @@ namespace shizuku
 namespace
 {
 
-using IndexList = Ghosts::Indices;
+using IndexList = std::vector<std::uint32_t>;
 
-struct OutsideOfRows
+struct NotOfPart
 {
     CellGridView grid;
     RowCut cut;
@@ -31,6 +31,17 @@ struct OutsideOfRows
         const int row = cut.rowOf(grid.cellPlace(x[i]));
         is[i] = row < low || row >= high;
     }
+};
+
+struct SeenBy
+{
+    CellGridView grid;
+    RowCut cut;
+    int part, rows;
+    Span<const Position> x;
+    Span<std::uint8_t> is;
+
+    HOST_DEVICE void operator()(int i) const { is[i] = cut.sees(part, cut.rowOf(grid.cellPlace(x[i])), rows); }
 };
 
 struct RowsOfSome
@@ -139,7 +150,6 @@ std::vector<int> countsOf(const std::vector<Bytes>& bytes, std::size_t each)
 }
 
 bool moves(const FieldInfo& info) { return info.sorted; }
-bool isSeen(const FieldInfo& info) { return info.exchanged; }
 
 // Values of particles `from` become those of particles `to`.
 void move(FieldRegistry& fields, const IndexList& from, const IndexList& to)
@@ -191,38 +201,44 @@ struct Places
 
 }
 
-PartsOfLiquid::Chosen PartsOfLiquid::choose(const Liquid& liquid, const CellGridView& grid, int low, int high)
+template<class Is>
+int PartsOfLiquid::choose(const Is& is, Buffer<std::uint8_t>& chosen)
 {
-    const int n = liquid.owned();
-    if (n == 0) return {};
-    Buffer<std::uint8_t> is(n);
-    forEach(n, OutsideOfRows{grid, cut_, low, high, liquid.predicted.span(), is.span()});
-    select(is, selection_, room_, count_);
+    if (chosen.size() == 0) return 0;
+    forEach(chosen.size(), is);
+    select(chosen, selection_, room_, count_);
     int count = int(*count_.wait());
     if (count > room_)
     {
         room_ = count + count / 4;
-        select(is, selection_, room_, count_);
+        select(chosen, selection_, room_, count_);
         count = int(*count_.wait());
     }
-    Chosen chosen;
-    chosen.indices.resize(count);
-    selection_.indices.download(chosen.indices.data(), count);
+    return count;
+}
+
+PartsOfLiquid::Leaving PartsOfLiquid::leaving(const Liquid& liquid, const CellGridView& grid)
+{
+    const int part = liquid.parts().part();
+    Buffer<std::uint8_t> is(liquid.owned());
+    const int count = choose(NotOfPart{grid, cut_, cut_.low(part), cut_.high(part), liquid.predicted.span(), is.span()}, is);
+    Leaving leaving;
+    leaving.indices.resize(count);
+    selection_.indices.download(leaving.indices.data(), count);
     Buffer<std::uint32_t> rows(count);
     forEach(count, RowsOfSome{grid, cut_, selection_.indices.span(), liquid.predicted.span(), rows.span()});
-    chosen.rows = rows.download();
-    return chosen;
+    leaving.rows = rows.download();
+    return leaving;
 }
 
 void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid)
 {
-    const int part = liquid.parts().part();
-    const Chosen leave = choose(liquid, grid, cut_.low(part), cut_.high(part));
-    std::vector<IndexList> leaving(cut_.parts);
-    for (std::size_t k = 0; k < leave.indices.size(); ++k) leaving[cut_.partOf(int(leave.rows[k]))].push_back(leave.indices[k]);
+    const Leaving leave = leaving(liquid, grid);
+    std::vector<IndexList> byPart(cut_.parts);
+    for (std::size_t k = 0; k < leave.indices.size(); ++k) byPart[cut_.partOf(int(leave.rows[k]))].push_back(leave.indices[k]);
 
     FieldRegistry& fields = liquid.fields();
-    const std::vector<Bytes> from = liquid.parts().exchange(packed(fields, Lists(leaving), moves));
+    const std::vector<Bytes> from = liquid.parts().exchange(packed(fields, Lists(byPart), moves));
     const std::vector<int> counts = countsOf(from, bytesOf(fields, moves));
     const Places places(liquid.owned(), leave.indices, std::accumulate(counts.begin(), counts.end(), 0));
     if (places.owned > liquid.owned()) liquid.resize(places.owned);
@@ -232,33 +248,31 @@ void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid)
     if (places.owned < liquid.owned()) liquid.resize(places.owned);
 }
 
-void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGridView& grid, int reach)
+void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGridView& grid, int rows)
 {
-    const int part = liquid.parts().part();
-    constexpr int none = std::numeric_limits<int>::min(), all = std::numeric_limits<int>::max();
-    const int low = cut_.low(part), high = cut_.high(part);
-    const Chosen edge = choose(liquid, grid, low == none ? none : low + reach, high == all ? all : high - reach);
-    std::vector<IndexList> seen(cut_.parts);
+    const int part = liquid.parts().part(), owned = liquid.owned();
+    Buffer<std::uint8_t> is(owned);
+    Buffer<std::uint32_t> sent;
+    std::vector<int> counts(cut_.parts);
     for (int other = 0; other < cut_.parts; ++other)
     {
-        if (other == part) continue;
-        for (std::size_t k = 0; k < edge.indices.size(); ++k)
-        {
-            if (cut_.sees(other, int(edge.rows[k]), reach)) seen[other].push_back(edge.indices[k]);
-        }
+        if (other == part || !cut_.seesOf(other, part, rows)) continue;
+        const int before = sent.size(), count = choose(SeenBy{grid, cut_, other, rows, liquid.predicted.span(), is.span()}, is);
+        sent.resize(before + count);
+        if (count > 0) device::copyOnDevice(sent.span().data + before, selection_.indices.span().data, count * sizeof(std::uint32_t));
+        counts[other] = count;
     }
-    Lists lists(seen);
-    const std::vector<Bytes> from = liquid.parts().exchange(packed(liquid.fields(), lists, isSeen));
-    std::vector<int> counts = countsOf(from, bytesOf(liquid.fields(), isSeen));
-    const int owned = liquid.owned();
-    liquid.resize(owned, std::accumulate(counts.begin(), counts.end(), 0));
-    unpack(liquid.fields(), from, counts, isSeen, [&]<class T>(const std::vector<T>& values, Buffer<T>& field) { field.upload(values, owned); });
-    liquid.ghosts().set(lists.indices, std::move(lists.counts), std::move(counts), owned);
+    Ghosts& ghosts = liquid.ghosts();
+    liquid.resize(owned, ghosts.set(std::move(sent), std::move(counts), owned));
+    for (const auto& entry : liquid.fields().entries())
+    {
+        if (entry->info.exchanged) std::visit([&](auto& field) { ghosts.copy(field); }, entry->values);
+    }
 }
 
 void PartsOfLiquid::bring(Liquid& liquid, const CellGridView& grid, int rows)
 {
-    liquid.resize(liquid.owned());
+    liquid.resize(liquid.owned());              // without the ghosts of the search before
     migrate(liquid, grid);
     addGhosts(liquid, grid, rows);
 }

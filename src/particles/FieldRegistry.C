@@ -64,12 +64,14 @@ void FieldRegistry::restore(const Infos& infos)
     for (std::size_t k = 0; k < infos.size(); ++k) entries_[k]->info = infos[k];
 }
 
-void FieldRegistry::resize(int n)
+void FieldRegistry::resize(int n, int room)
 {
     const int before = size_;
     size_ = n;
+    if (n > room_) room_ = std::max(n, room);
     const auto resizeField = [&](auto& field)
     {
+        field.reserve(room_);
         field.resize(n);
         field.setZero(before);
     };
@@ -78,6 +80,7 @@ void FieldRegistry::resize(int n)
 
 void FieldRegistry::reorder(const Buffer<std::uint32_t>& order)
 {
+    if (order.size() != size_) room_ = order.size();
     std::vector<AnyBuffer> before;          // what is moved from, as long as it is
     ReorderFields fields;
     fields.order = order.span();
@@ -91,7 +94,8 @@ void FieldRegistry::reorder(const Buffer<std::uint32_t>& order)
     const auto add = [&]<class T>(Buffer<T>& field, Move<T>* moves, int& n)
     {
         if (n == ReorderFields::most) launch();
-        Buffer<T> sorted(order.size());
+        Buffer<T> sorted(room_);
+        sorted.resize(order.size());
         moves[n++] = {field.span().data, sorted.span().data};
         field.swap(sorted);
         before.emplace_back(std::move(sorted));

@@ -19,6 +19,14 @@ struct Invert
     HOST_DEVICE void operator()(int i) const { now[int(order[i])] = std::uint32_t(i); }
 };
 
+struct CountUp
+{
+    Span<std::uint32_t> indices;
+    std::uint32_t first;
+
+    HOST_DEVICE void operator()(int k) const { indices[k] = first + std::uint32_t(k); }
+};
+
 struct Renumber
 {
     Span<const std::uint32_t> now;
@@ -29,14 +37,24 @@ struct Renumber
 
 }
 
-void Ghosts::set(const Indices& sent, std::vector<int> sentCounts, std::vector<int> receivedCounts, int first)
+void Ghosts::join(const Communicator& communicator)
 {
-    Indices received(std::accumulate(receivedCounts.begin(), receivedCounts.end(), 0));
-    std::iota(received.begin(), received.end(), std::uint32_t(first));
-    sent_.upload(sent);
-    received_.upload(received);
+    communicator_ = {std::shared_ptr<void>(), &communicator};
+    link_ = linkDevices(communicator);
+}
+
+int Ghosts::set(Buffer<std::uint32_t> sent, std::vector<int> sentCounts, int first)
+{
+    const int parts = this->parts().parts(), part = this->parts().part();
+    std::vector<int> all(parts * parts);
+    this->parts().gather(sentCounts.data(), parts * sizeof(int), all.data());
+    receivedCounts_.resize(parts);
+    for (int k = 0; k < parts; ++k) receivedCounts_[k] = all[k * parts + part];
     sentCounts_ = std::move(sentCounts);
-    receivedCounts_ = std::move(receivedCounts);
+    sent_ = std::move(sent);
+    received_.resizeDiscarding(std::accumulate(receivedCounts_.begin(), receivedCounts_.end(), 0));
+    forEach(received_.size(), CountUp{received_.span(), std::uint32_t(first)});
+    return received_.size();
 }
 
 void Ghosts::reorder(const Buffer<std::uint32_t>& order)
@@ -46,12 +64,10 @@ void Ghosts::reorder(const Buffer<std::uint32_t>& order)
     for (Buffer<std::uint32_t>* list : {&sent_, &received_}) forEach(list->size(), Renumber{now.span(), list->span()});
 }
 
-void Ghosts::exchange(std::size_t each) const
+void Ghosts::exchange(const std::byte* out, std::byte* in, std::size_t each) const
 {
     std::vector<SentPiece> sent;
     std::vector<ReceivedPiece> received;
-    const std::byte* out = out_.data();
-    std::byte* in = in_.data();
     for (int k = 0; k < int(sentCounts_.size()); ++k)
     {
         const std::size_t give = sentCounts_[k] * each, take = receivedCounts_[k] * each;
@@ -60,7 +76,7 @@ void Ghosts::exchange(std::size_t each) const
         out += give;
         in += take;
     }
-    parts().exchange(sent, received);
+    link_->exchange(sent, received);
 }
 
 template void Ghosts::copy(Buffer<scalar>&) const;

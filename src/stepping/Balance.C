@@ -114,7 +114,6 @@ void Balance::begin(Liquid& liquid, Neighbourhood& near, const Communicator& par
     const std::vector<std::uint32_t> rows = rowsOf(liquid, near, cut_);
     const ParticlesOfRows counts = countRows(rows);
     cut_ = cutEvenly(counts, parts.parts(), acrossZ);
-    std::cout << "Parts  : " << parts.parts() << ", cut across " << directionOf(cut_) << ", the largest " << imbalance(counts, cut_) << " of the average" << std::endl;
     if (counts.size() < std::size_t(parts.parts()))
     {
         warning("There are " + std::to_string(parts.parts()) + " parts and " + std::to_string(counts.size()) + " rows of cells with liquid: some parts have none");
@@ -129,6 +128,9 @@ void Balance::begin(Liquid& liquid, Neighbourhood& near, const Communicator& par
     liquid.resize(int(own.size()));
     liquid.ghosts().join(parts);
     near.cut(cut_);
+    const std::string link = liquid.ghosts().linkName();
+    std::cout << "Parts  : " << parts.parts() << ", cut across " << directionOf(cut_) << ", the largest " << imbalance(counts, cut_) << " of the average"
+              << (link.empty() ? "" : ", linked by " + link) << std::endl;
 }
 
 void Balance::keep(const Liquid& liquid, Neighbourhood& near)

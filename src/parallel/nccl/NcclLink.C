@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parallel/nccl/NcclLink.H"
+
+#include <nccl.h>
+
+#include <exception>
+#include <stdexcept>
+
+namespace shizuku
+{
+
+namespace
+{
+
+void check(ncclResult_t result, const char* what)
+{
+    if (result == ncclSuccess || result == ncclInProgress) return;
+    throw std::runtime_error(std::string("NCCL cannot ") + what + ": " + ncclGetErrorString(result));
+}
+
+class NcclLink : public DeviceLink
+{
+public:
+    NcclLink(const Communicator& parts, cudaStream_t stream) : stream_(stream)
+    {
+        ncclUniqueId id{};
+        if (parts.part() == 0) check(ncclGetUniqueId(&id), "begin");
+        id = parts.gather(id)[0];
+        check(ncclCommInitRank(&communicator_, parts.parts(), id, parts.part()), "link the GPUs");
+    }
+
+    // Where this part has failed it does not wait for the others.
+    ~NcclLink() override
+    {
+        if (std::uncaught_exceptions() > 0) ncclCommAbort(communicator_);
+        else ncclCommDestroy(communicator_);
+    }
+
+    NcclLink(const NcclLink&) = delete;
+    NcclLink& operator=(const NcclLink&) = delete;
+
+    std::string name() const override
+    {
+        int version = 0;
+        ncclGetVersion(&version);
+        return "NCCL " + std::to_string(version / 10000) + "." + std::to_string(version / 100 % 100) + "." + std::to_string(version % 100);
+    }
+
+    void exchange(const std::vector<SentPiece>& sent, const std::vector<ReceivedPiece>& received) const override
+    {
+        if (sent.empty() && received.empty()) return;
+        check(ncclGroupStart(), "begin an exchange");
+        for (const SentPiece& piece : sent) check(ncclSend(piece.bytes, piece.size, ncclInt8, piece.part, communicator_, stream_), "send");
+        for (const ReceivedPiece& piece : received) check(ncclRecv(piece.bytes, piece.size, ncclInt8, piece.part, communicator_, stream_), "receive");
+        check(ncclGroupEnd(), "exchange");
+    }
+
+private:
+    ncclComm_t communicator_ = nullptr;
+    cudaStream_t stream_;
+};
+
+}
+
+}
+
+extern "C" shizuku::DeviceLink* openNccl(const shizuku::Communicator& parts, void* stream)
+{
+    return new shizuku::NcclLink(parts, static_cast<cudaStream_t>(stream));
+}
