@@ -4,6 +4,7 @@
 #include "device/Algorithms.H"
 #include "device/Atomic.H"
 #include "device/ForEach.H"
+#include "device/Sharing.H"
 
 #include <algorithm>
 #include <bit>
@@ -131,7 +132,7 @@ CellGrid::Bits CellGrid::bitsFor(int n) const
 
 void CellGrid::chooseSize(int n, bool withGhosts)
 {
-    bits_ = bitsFor(n);
+    bits_ = bitsFor(sharedAs(n));
     withGhosts_ = withGhosts;
     const std::uint32_t bits = bits_.x + bits_.y + bits_.z;
     start_.resizeDiscarding((withGhosts ? 2 << bits : 1 << bits) + 1);
@@ -145,7 +146,7 @@ CellGridView CellGrid::view() const
     return
     {
         cellSize, perCell, device::cellsInWidth * perCell, width_, perWidth, shifts, bits_.x, bits_.y, bits_.z, start_.span(),
-        withGhosts_ ? 1u << (bits_.x + bits_.y + bits_.z) : 0, wide_.span().data
+        withGhosts_ ? 1u << (bits_.x + bits_.y + bits_.z) : 0, wide_.span().data, own_
     };
 }
 
@@ -167,17 +168,19 @@ int CellGrid::cellsWithin(scalar reach) const
 
 Buffer<std::uint32_t> CellGrid::build
 (
-    Span<const Position> positions, int n, Span<const std::uint32_t> id, Span<const Position> start, std::optional<int> owned
+    Span<const Position> positions, int n, Span<const std::uint32_t> id, Span<const Position> start, const std::optional<Owned>& owned
 )
 {
-    chooseSize(n, owned.value_or(n) < n);
+    const int mine = owned ? owned->points : n;
+    own_ = owned ? owned->rows : OwnRows();
+    chooseSize(n, mine < n);
     start_.setZero();
     wide_.setZero();
     Buffer<WordsOfPoint> words(n);
     std::uint32_t* const first = reinterpret_cast<std::uint32_t*>(words.span().data);
     const auto part = [&](std::size_t k) { return Span<std::uint32_t>{first + k * n, n}; };
     const Span<std::uint32_t> keys = part(0), places = part(1), points = part(2);
-    forEach(n, CountInCells{view(), owned.value_or(n), positions, start, keys, places, start_.span(), wide_.span()});
+    forEach(n, CountInCells{view(), mine, positions, start, keys, places, start_.span(), wide_.span()});
     sumBefore(start_);
     forEach(n, PutInCells{keys, places, start_.span(), points});
     Buffer<std::uint32_t> order(n);

@@ -92,6 +92,7 @@ BalanceControls BalanceControls::read(const std::filesystem::path& casePath)
     {
         throw FatalInputError(dict.where("rebalanceAbove"), "The share is negative", "0 or more, 0.1 for a tenth");
     }
+    controls.sameBits = dict.lookupOr("sameBits", controls.sameBits);
     dict.refuseUnused();
     return controls;
 }

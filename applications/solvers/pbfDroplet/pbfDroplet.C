@@ -14,6 +14,7 @@
 #include "core/time/CaseLock.H"
 #include "device/DeviceApplication.H"
 #include "device/Processors.H"
+#include "device/Sharing.H"
 #include "functionObjects/FunctionObjects.H"
 #include "functionObjects/ModelList.H"
 #include "parallel/ParallelRun.H"
@@ -43,9 +44,10 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     CaseSetup setup(args.casePath());
     setup.make(time.value());
     if (isCut) setup.models->refuseParts();
-    Balance balance(isCut ? BalanceControls::read(args.casePath()) : BalanceControls());
+    const BalanceControls cutting = BalanceControls::read(args.casePath());
     FunctionObjects functions(time, setup.liquid->properties().spacing, !args.found("noFunctionObjects"));
     setup.readParticles(time);
+    if (cutting.sameBits) shareAsOf(setup.liquid->owned());
     setup.refuseBadStart(time);
 
     Liquid& liquid = *setup.liquid;
@@ -56,6 +58,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     TimeStep step(time, setup, near);
     reportStart(flow);
     limitStepsOfBlobs(flow, step);
+    Balance balance(cutting);
     if (isCut)
     {
         balance.begin(liquid, near, parts);

@@ -6,6 +6,7 @@
 #include "device/Processors.H"
 #include "device/Profile.H"
 #include "device/Readback.H"
+#include "device/Sharing.H"
 
 #include <omp.h>
 #include <unistd.h>
@@ -48,6 +49,10 @@ void shareProcessors(int users)
     if (users < 2 || std::getenv("OMP_NUM_THREADS")) return;
     omp_set_num_threads(std::clamp(int(sysconf(_SC_NPROCESSORS_ONLN)) / users, 1, omp_get_num_procs()));
 }
+
+void shareAsOf(int) {}
+
+int sharedAs(int n) { return n; }
 
 void synchronize() {}
 

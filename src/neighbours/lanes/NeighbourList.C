@@ -3,6 +3,7 @@
 
 #include "device/Algorithms.H"
 #include "device/Atomic.H"
+#include "device/Sharing.H"
 #include "neighbours/lanes/Search.H"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ template<class F>
 void forEachPoint(int n, const F& f)
 {
     constexpr int many = 1 << 16;
-    if (n > many) forEach(n, f);
+    if (sharedAs(n) > many) forEach(n, f);
     else forEachGroup(n, f);
 }
 

@@ -2,6 +2,7 @@
 // A liquid that is cut into parts moves to the same bits as the whole, step by step: particles go from part to part, ghosts have what their owners computed, and
 // sums of all parts do not depend on the cut.
 
+#include "device/Sharing.H"
 #include "parallel/PartsOfProcess.H"
 #include "stepping/SubStep.H"
 #include "support/LiquidCase.H"
@@ -149,12 +150,6 @@ Cut runCut(const Scene& scene, const RowCut& cut)
     return result;
 }
 
-// A GPU shares out what is around particles among as many lanes as there are particles for, and looks at it for two of them at once: its sums have another order in
-// parts, and places differ by roundings, of which calm liquid makes no more in the first steps.
-constexpr bool sameBits = Group::most == 1;
-constexpr std::size_t comparable = 3;
-constexpr std::int64_t roundings = 32;              // quanta, 6e-5 of a spacing; 2 to 6 were seen
-
 int differing(const State& a, const State& b)
 {
     int count = 0;
@@ -162,20 +157,17 @@ int differing(const State& a, const State& b)
     return count;
 }
 
-// By how many quanta places differ at most.
-std::int64_t farthest(const State& a, const State& b)
+// What a GPU needs for it (device/Sharing.H); a CPU does it always.
+struct SharedAsOf
 {
-    std::int64_t most = 0;
-    for (const auto& [id, bits] : b)
-    {
-        for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(a.at(id)[c] - bits[c]));
-    }
-    return most;
-}
+    explicit SharedAsOf(int whole) { shareAsOf(whole); }
+    ~SharedAsOf() { shareAsOf(0); }
+};
 
 void expectSameBits(const Scene& scene, std::initializer_list<int> counts)
 {
     Drop whole(scene);
+    const SharedAsOf all(whole.liquid.owned());
     const std::vector<int> rows = whole.rows(scene.acrossZ);
     const std::vector<State> states = whole.run(scene.steps);
     for (const int parts : counts)
@@ -187,8 +179,7 @@ void expectSameBits(const Scene& scene, std::initializer_list<int> counts)
         for (std::size_t k = 0; k < states.size(); ++k)
         {
             ASSERT_EQ(cut.states[k].size(), states[k].size()) << "step " << k;
-            if (sameBits) ASSERT_EQ(differing(cut.states[k], states[k]), 0) << "step " << k;
-            else if (k <= comparable) ASSERT_LE(farthest(cut.states[k], states[k]), roundings) << "step " << k;
+            ASSERT_EQ(differing(cut.states[k], states[k]), 0) << "step " << k;
         }
     }
 }
