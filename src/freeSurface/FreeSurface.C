@@ -53,11 +53,12 @@ Span<const std::uint32_t> countsOfAll(const Liquid& liquid, Span<const std::uint
 }
 
 // The liquid's part in the colour and its gradient.
+template<class Search>
 struct SumColour
 {
     WendlandC2 W;
     scalar volume;                          // V/S
-    NeighbourSearch wide;
+    Search wide;
     Span<const std::uint32_t> selected;
     Span<Vec3> gradient;                    // with w = the colour
 
@@ -217,9 +218,9 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
         select(isNear, particles_, room_, readCount_);
     }
     const Span<const std::uint32_t> place = particles_.before.span();
-    forEachGroup(particles_, SumColour
+    asShared(near.wide(liquid), [&]<class Search>(const Search& wide)
     {
-        *kernel_, liquid.particleVolume() / latticeSum_, near.wide(liquid), particles_.indices.span(), gradient_.span()
+        forEachGroup(particles_, SumColour<Search>{*kernel_, liquid.particleVolume() / latticeSum_, wide, particles_.indices.span(), gradient_.span()});
     });
     forEachTeam(particles_, Reconstruct
     {

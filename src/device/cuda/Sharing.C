@@ -14,8 +14,10 @@ namespace
 
 void shareAsOf(int whole) { wholeIndices = whole; }
 
-int sharedAs(int n) { return wholeIndices > 0 ? wholeIndices : n; }
+bool sharesAsWhole() { return wholeIndices > 0; }
 
-int device::mostOfGroup() { return wholeIndices > 0 ? 1 : Group::most; }
+int sharedAs(int n) { return sharesAsWhole() ? wholeIndices : n; }
+
+int device::mostOfGroup() { return sharesAsWhole() ? 1 : Group::most; }
 
 }

@@ -52,6 +52,8 @@ void shareProcessors(int users)
 
 void shareAsOf(int) {}
 
+bool sharesAsWhole() { return false; }
+
 int sharedAs(int n) { return n; }
 
 void synchronize() {}

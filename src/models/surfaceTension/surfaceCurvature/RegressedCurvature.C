@@ -99,13 +99,14 @@ HOST_DEVICE inline scalar traceOfLine(const LineSums<scalar>& sums, scalar least
     return (c22 * x11 - c12 * x12 + c11 * x22) / fmax(c11 * c22 - c12 * c12, least * least);
 }
 
+template<class Search>
 struct Regress
 {
     WendlandC2 W;
     scalar volume, largest;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                // with w = beta
-    SelectedSearch near;                    // among positions with w = depth
+    Search near;                            // among positions with w = depth
     Span<const std::uint32_t> selected;
     ExtendedLiquidView extended;
     WallView walls;
@@ -182,10 +183,13 @@ CurvatureField RegressedCurvature::operator()(const Liquid& liquid, const Neighb
     const FreeSurfaceView view = surface_.view();
     forEach(surface_.particles(), OutwardNormal{surface_.plane(), surface_.steepest(), view, walls.view(liquid), field.normal.span()});
     liquid.ghosts().copy(surface_.particles(), field.normal);
-    forEachGroup(surface_.particles(), Regress
+    asShared(near.wide(liquid, surface_.particles(), surface_.position()), [&]<class Search>(const Search& among)
     {
-        W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), near.wide(liquid, surface_.particles(), surface_.position()),
-        surface_.particles().indices.span(), extended_->view(), walls.view(liquid), field.curvature.span()
+        forEachGroup(surface_.particles(), Regress<Search>
+        {
+            W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), among,
+            surface_.particles().indices.span(), extended_->view(), walls.view(liquid), field.curvature.span()
+        });
     });
     liquid.ghosts().copy(surface_.particles(), field.curvature);
     return field;
