@@ -93,7 +93,8 @@ TEST_P(Restart, liquidThatIsTakenOutStaysOut)
     write("constant/outlets", "side { type plane; point (3.2e-3 0 0); normal (1 0 0); }\n");
     fill({0.1, 0, 0});
     expectRestart(binary);
-    EXPECT_TRUE(holds(read("0.009/uniform/liquid"), {"takenOutByside"}));
+    EXPECT_TRUE(holds(read("0.009/uniform/liquid"), {"takenOutByside "}));
+    EXPECT_FALSE(holds(read("0.009/uniform/liquid"), {"takenOutByside 0;"}));
     const Outcome outcome = (removeResults(), solve());
     ASSERT_EQ(outcome.status, 0) << outcome.text;
     EXPECT_TRUE(holds(outcome.text, {"taken out: side ", " particles, "}));
