@@ -40,9 +40,9 @@ install(FILES etc/bashrc etc/bashCompletion DESTINATION etc COMPONENT shizuku)
 install(DIRECTORY etc/caseDefaults etc/advice DESTINATION etc COMPONENT shizuku)
 install(DIRECTORY tutorials DESTINATION . COMPONENT shizuku USE_SOURCE_PERMISSIONS
     # What a tutorial computes when it is run in its place (.gitignore).
-    REGEX "/tutorials/[^/]*/(log\\..*|[0-9][^/]*|postProcessing|VTK|sweep|theta[^/]*|present|previous|striped|painted|[^/]*\\.(png|csv))$" EXCLUDE
+    REGEX "/tutorials/[^/]*/(log\\..*|[0-9][^/]*|postProcessing|VTK|sweep|theta[^/]*|present|previous|striped|painted|drops[0-9][^/]*|[^/]*\\.(png|csv))$" EXCLUDE
     REGEX "/constant/solid$" EXCLUDE
-    REGEX "/stlSurface/constant/triSurface$" EXCLUDE)
+    REGEX "/(stlSurface|rainOnStreet)/constant/triSurface$" EXCLUDE)
 install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION share/doc/shizuku COMPONENT shizuku)
 install(DIRECTORY doc/guide doc/theory-guide doc/pictures DESTINATION share/doc/shizuku COMPONENT shizuku)
 

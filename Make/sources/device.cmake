@@ -24,6 +24,9 @@ set(SHIZUKU_DEVICE_SOURCES
     walls/Walls.C
     freeSurface/ExtendedLiquid.C
     freeSurface/FreeSurface.C
+    outlets/BoxOutlet.C
+    outlets/Outlets.C
+    outlets/PlaneOutlet.C
     motion/Motion.C
     motion/LiquidState.C
     motion/SpeedMeter.C
@@ -102,8 +105,10 @@ set(SHIZUKU_DEVICE_SOURCES
     functionObjects/ModelList.C
     functionObjects/contactAngle/ContactAngleTable.C
     functionObjects/crossSection/CrossSection.C
+    functionObjects/drops/DropCount.C
     functionObjects/energy/Energy.C
     functionObjects/liquidState/LiquidStateTable.C
+    functionObjects/outflow/Outflow.C
     functionObjects/probes/Probes.C
     functionObjects/runTimeControl/RunTimeControl.C
     functionObjects/spreadDiameter/SpreadDiameter.C

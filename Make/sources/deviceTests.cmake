@@ -57,6 +57,7 @@ set(SHIZUKU_DEVICE_TESTS
     motion/TestMotion.C
     neighbours/TestNeighbourList.C
     neighbours/TestNeighbourhood.C
+    outlets/TestOutlets.C
     particles/TestFieldRegistry.C
     particles/TestParticleFiles.C
     particles/TestUnits.C

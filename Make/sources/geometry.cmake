@@ -27,12 +27,17 @@ set(SHIZUKU_GEOMETRY_SOURCES
     liquidBodies/CapBody.C
     liquidBodies/CloseBoxes.C
     liquidBodies/CylinderBody.C
+    liquidBodies/DropsBody.C
     liquidBodies/EllipsoidBody.C
     liquidBodies/FilledBody.C
     liquidBodies/LiquidBody.C
     liquidBodies/LiquidChecks.C
+    liquidBodies/PlaceBalls.C
     liquidBodies/SphereBody.C
     liquidBodies/SurfaceBody.C
+    liquidBodies/dropSizes/ExponentialSizes.C
+    liquidBodies/dropSizes/OneSize.C
+    liquidBodies/dropSizes/SizeTable.C
     meshes/ConnectedPoints.C
     meshes/MeshTopology.C
     meshes/NearestPoint.C

@@ -13,6 +13,8 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     parallel/PartsOfProcess.C
     walls/HalfSpace.C
     maths/CohesionSpline.C
+    outlets/BoxOutlet.C
+    outlets/PlaneOutlet.C
     models/Models.C
     models/forces/InterParticleForces.C
     models/pressure/Pressure.C
@@ -51,8 +53,10 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     functionObjects/ModelList.C
     functionObjects/contactAngle/ContactAngleTable.C
     functionObjects/crossSection/CrossSection.C
+    functionObjects/drops/DropCount.C
     functionObjects/energy/Energy.C
     functionObjects/liquidState/LiquidStateTable.C
+    functionObjects/outflow/Outflow.C
     functionObjects/runTimeControl/RunTimeControl.C
     functionObjects/spreadDiameter/SpreadDiameter.C
     functionObjects/stepTime/StepTime.C

@@ -34,13 +34,23 @@ void FlowView::computeDensities()
 
 void FlowView::cut(std::unique_ptr<Liquid> whole)
 {
+    whole_ = std::move(whole);
+    allParticles_ = countAll();
+}
+
+void FlowView::recount()
+{
+    if (allParticles_) allParticles_ = countAll();
+}
+
+int FlowView::countAll() const
+{
     struct Count
     {
         int particles = 0;
         void add(const Count& other) { particles += other.particles; }
     };
-    whole_ = std::move(whole);
-    allParticles_ = liquid_.parts().fold(Count{liquid_.owned()}).particles;
+    return liquid_.parts().fold(Count{liquid_.owned()}).particles;
 }
 
 void FlowView::gather()

@@ -36,7 +36,7 @@ FilledBody readBody(const Dictionary& dict, const std::string& name, const std::
     if (dict.found("angularVelocity")) body.angularVelocity = dict.lookupDimensionedVector("angularVelocity", perTime);
     body.carve = dict.lookupChoiceOr("overlaps", {"refuse", "carve"}, "refuse") == "carve";
     refuseTooMany(*body.shape, spacing, dict.where());
-    body.positions = fillLattice(*body.shape, spacing, dict.where());
+    body.positions = body.shape->fill(spacing, dict.where());
     return body;
 }
 
@@ -48,55 +48,60 @@ std::vector<std::size_t> particlesBefore(const std::vector<FilledBody>& bodies)
     return before;
 }
 
-// Components of the positions from particle `first` of all bodies on.
-void fillPositions
+// Components of a vector of each particle from `first` of all bodies on: vectorOf(body, x).
+template<class VectorOf>
+void fillVectors
 (
     const std::vector<FilledBody>& bodies, const std::vector<std::size_t>& before, std::size_t first,
-    std::span<double> values
+    std::span<double> values, const VectorOf& vectorOf
 )
 {
     std::size_t body = std::upper_bound(before.begin(), before.end(), first) - before.begin() - 1;
     for (std::size_t i = 0; i < values.size(); i += 3, ++first)
     {
         while (first >= before[body + 1]) ++body;
-        const Vector3& x = bodies[body].positions[first - before[body]];
-        values[i] = x.x;
-        values[i + 1] = x.y;
-        values[i + 2] = x.z;
+        const Vector3 v = vectorOf(body, bodies[body].positions[first - before[body]]);
+        values[i] = v.x;
+        values[i + 1] = v.y;
+        values[i + 2] = v.z;
     }
 }
 
-FieldData velocityField(const std::vector<FilledBody>& bodies)
+void writeVelocities
+(
+    const std::filesystem::path& file, const std::vector<FilledBody>& bodies, const std::vector<std::size_t>& before, const WriteFormat& format
+)
 {
-    const auto movesAlike = [&](const FilledBody& body)
+    const Vector3& first = bodies.front().velocity;
+    const auto movesAlike = [&](const FilledBody& body) { return body.movesAsOne() && body.velocity == first; };
+    if (std::all_of(bodies.begin(), bodies.end(), movesAlike))
     {
-        return body.angularVelocity == Vector3() && body.velocity == bodies.front().velocity;
-    };
-    const bool uniform = std::all_of(bodies.begin(), bodies.end(), movesAlike);
-    std::vector<Vector3> velocities;
-    if (uniform) velocities = {bodies.front().velocity};
-    else
-    {
-        for (const FilledBody& body : bodies)
-        {
-            const std::vector<Vector3> own = body.velocities();
-            velocities.insert(velocities.end(), own.begin(), own.end());
-        }
+        FieldData field = toField("U", dimensions::velocity, {first});
+        field.uniform = true;
+        writeField(file, field, format);
+        return;
     }
-    FieldData field = toField("U", dimensions::velocity, velocities);
-    field.uniform = uniform;
-    return field;
+    std::vector<Vector3> centroids;
+    for (const FilledBody& body : bodies) centroids.push_back(body.centroid());
+    const auto fill = [&](std::size_t from, std::span<double> values)
+    {
+        fillVectors(bodies, before, from, values, [&](std::size_t body, const Vector3& x) { return bodies[body].velocityAt(x, centroids[body]); });
+    };
+    writeField(file, {FieldType::vector, dimensions::velocity, before.back(), fill}, format);
 }
 
 }
 
-std::vector<Vector3> FilledBody::velocities() const
+Vector3 FilledBody::centroid() const
 {
     Vector3 centroid;
     for (const Vector3& x : positions) centroid += x/double(positions.size());
-    std::vector<Vector3> result;
-    for (const Vector3& x : positions) result.push_back(velocity + cross(angularVelocity, x - centroid));
-    return result;
+    return centroid;
+}
+
+Vector3 FilledBody::velocityAt(const Vector3& x, const Vector3& centroid) const
+{
+    return velocity + cross(angularVelocity, x - centroid) + shape->velocityAt(x);
 }
 
 std::vector<FilledBody> readBodies
@@ -124,9 +129,12 @@ void writeBodies
 )
 {
     const std::vector<std::size_t> before = particlesBefore(bodies);
-    const auto fill = [&](std::size_t first, std::span<double> values) { fillPositions(bodies, before, first, values); };
+    const auto fill = [&](std::size_t first, std::span<double> values)
+    {
+        fillVectors(bodies, before, first, values, [](std::size_t, const Vector3& x) { return x; });
+    };
     writeField(folder/"positions", {FieldType::vector, dimensions::length, before.back(), fill, spacing}, format.ofPlaces());
-    writeField(folder/"U", velocityField(bodies), format);
+    writeVelocities(folder/"U", bodies, before, format);
 }
 
 }

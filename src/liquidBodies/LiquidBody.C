@@ -128,6 +128,11 @@ BodyFrame BodyFrame::along(const Vector3& origin, const Vector3& z)
     return {origin, x, cross(z, x), z};
 }
 
+std::vector<Vector3> LiquidBody::fill(double spacing, const SourceLocation& where) const
+{
+    return fillLattice(*this, spacing, where);
+}
+
 std::vector<Vector3> fillLattice(const LiquidBody& body, double spacing, const SourceLocation& where)
 {
     const double exact = body.volume()/(spacing*spacing*spacing);

@@ -11,6 +11,7 @@ void CaseSetup::make(double start)
     makeLiquid();
     makeWalls(start);
     makeModels();
+    makeOutlets();
     readOverlaps();
     refuseUnused();
 }
@@ -45,6 +46,11 @@ void CaseSetup::makeModels()
 {
     models = std::make_unique<Models>(path, *solution, *liquid, *walls);
     models->takeEffect(*liquid, *walls);
+}
+
+void CaseSetup::makeOutlets()
+{
+    outlets.emplace(path, *liquid);
 }
 
 void CaseSetup::readOverlaps()

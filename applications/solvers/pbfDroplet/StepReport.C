@@ -91,7 +91,7 @@ void reportRelaxation(int rounds)
     if (rounds > 0) std::cout << "The liquid overlapped itself: its particles were moved apart in " << rounds << " rounds\n";
 }
 
-void reportStep(const SubSteps& steps, FlowView& flow)
+void reportStep(const SubSteps& steps, FlowView& flow, const Outlets& outlets)
 {
     const LiquidState& state = flow.state();
     std::cout
@@ -101,8 +101,19 @@ void reportStep(const SubSteps& steps, FlowView& flow)
         << "pressure: iterations " << flow.models.pressure->iterations()
         << ", density error average " << state.averageDensityError << ", maximum " << state.maxDensityError << '\n'
         << "volume = " << state.volume << " m3, kinetic energy = " << state.kineticEnergy
-        << " J, max |U| = " << state.maxSpeed << " m/s\n"
-        << executionTime() << std::endl;
+        << " J, max |U| = " << state.maxSpeed << " m/s\n";
+    if (const std::string text = outlets.report(flow.numbers(), flow.properties().particleVolume()); !text.empty()) std::cout << "taken out: " << text << '\n';
+    std::cout << executionTime() << std::endl;
+}
+
+void takeOut(CaseSetup& setup, Neighbourhood& near, FlowView& flow, Time& time)
+{
+    if (setup.outlets->takeOut(*setup.liquid) == 0) return;
+    near.recount();
+    flow.recount();
+    if (flow.particles() > 0) return;
+    std::cout << "\nThe present step is the last: all liquid was taken out" << std::endl;
+    time.stopHere();
 }
 
 void stopWhereAsked(Time& time, const FunctionObjects& functions, const Communicator& parts)

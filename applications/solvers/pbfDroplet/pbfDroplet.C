@@ -95,6 +95,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         interruption = stopWhereSignalled(time, signals, parts);
         const bool densitiesAreDue = time.reportDue() || functions.lookAtDensities(time);
         if (densitiesAreDue) flow.computeDensities();
+        takeOut(setup, near, flow, time);
         step.beginNext(steps);
         refuseDivergence(time, steps, liquid.properties().spacing, step.speeds(), writer, parts);
 
@@ -103,7 +104,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         if (time.writeDue() || functions.lookAtParticles(time)) flow.gather();
         if (isFirst) functions.execute(flow);
         stopWhereAsked(time, functions, parts);
-        if (isFirst && time.reportDue()) reportStep(steps, flow);
+        if (isFirst && time.reportDue()) reportStep(steps, flow, *setup.outlets);
         writer.write(time, flow, changes, functions);
         profile.count(steps.count);
     }

@@ -7,7 +7,7 @@
 //     spray       no;
 //
 // volume: what the surface mesh encloses; spray: d^3 times the number of particles that it does not, lone
-// ones; particleVolume: d^3 times the number of all, which never changes; crowded: sum of d^3/max(rho_i/rho0, 1), which
+// ones; particleVolume: d^3 times the number of all, which outlets alone change; crowded: sum of d^3/max(rho_i/rho0, 1), which
 // falls where particles crowd; drift: volume against particleVolume.
 
 #include "core/fieldFile/CsvFile.H"

@@ -253,6 +253,35 @@ TEST_F(DropCase, RenderCaseShowsThePatternOfAFloor)
     EXPECT_NEAR(difference(), 0, 5);
 }
 
+// A floor below which there is more of its solid is a face of a body: it has no pattern, nor goes on beyond its edges.
+TEST_F(DropCase, RenderCaseTakesNoFaceOfABodyForAFloor)
+{
+    writeTime("0", {drop(90)});
+    SolidParticles solid;
+    solid.patches = {"floor", "rim"};
+    for (int i = -25; i <= 25; ++i)
+    {
+        for (int j = -25; j <= 25; ++j)
+        {
+            const bool isRim = std::max(std::abs(i), std::abs(j)) == 25;
+            for (int k = 0; k < (isRim ? 5 : 1); ++k)
+            {
+                solid.positions.push_back(spacing*Vector3(i, j, -0.5 - k));
+                solid.normals.push_back({0, 0, 1});
+                solid.patch.push_back(k > 0);
+            }
+        }
+    }
+    writeSolidParticles(path(), solid, {});
+    std::vector<double> theta;
+    for (const Vector3& x : solid.positions) theta.push_back(x.x < 0 ? 60 : 100);
+    writeField(path()/"0/solid/theta", {"theta", FieldType::scalar, dimensions::none, false, theta}, {});
+    const Outcome outcome = call("renderCase", "-size 160x100 -view above");
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const Picture picture(path()/"case.png");
+    EXPECT_NEAR(picture.blueness(0.5, 0.05), picture.blueness(0.9, 0.05), 12);      // 20 and more with the pattern of a floor
+}
+
 // The drop is 2 mm wide and stands at x = -1.5 mm: a tenth of a picture 20 mm wide, in the middle or where `centre` puts it.
 TEST_F(DropCase, RenderCaseLooksWhereItIsTold)
 {

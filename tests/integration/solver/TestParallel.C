@@ -108,6 +108,15 @@ TEST_P(Parallel, LeavesTheSameFilesOfTheDefaultModels)
     expectTheSameOf({3});
 }
 
+// Particles leave through a plane that cuts the block, from the first step on.
+TEST_P(Parallel, TakesOutWhatOneProcessDoes)
+{
+    write("constant/outlets", "side { type plane; point (0 2.9e-3 0); normal (0 1 0); }\nbelow { type plane; point (0 0 -1); normal (0 0 -1); }\n");
+    control("writeFormat binary; functions { out { type outflow; } sizes { type drops; classes (0 4e-3 1e-2); } state { type liquidState; } }");
+    expectTheSameOf({2, 3});
+    EXPECT_TRUE(holds(read("postProcessing/out/0/outflow.csv"), {"time [s],particles,volume [m3],takenOut,takenOutVolume [m3],side [m3],below [m3]"}));
+}
+
 TEST_P(Parallel, GoesOnWithAnotherNumberOfRanks)
 {
     control("writeFormat binary;");

@@ -87,6 +87,30 @@ TEST_P(Restart, binaryContinuesToTheSameBits) { expectRestart(binary); }
 
 TEST_P(Restart, asciiContinuesToTheSameBits) { expectRestart(ascii); }
 
+// A plane beside the block, which moves through it; what was taken out is a number of the liquid.
+TEST_P(Restart, liquidThatIsTakenOutStaysOut)
+{
+    write("constant/outlets", "side { type plane; point (3.2e-3 0 0); normal (1 0 0); }\n");
+    fill({0.1, 0, 0});
+    expectRestart(binary);
+    EXPECT_TRUE(holds(read("0.009/uniform/liquid"), {"takenOutByside "}));
+    EXPECT_FALSE(holds(read("0.009/uniform/liquid"), {"takenOutByside 0;"}));
+    const Outcome outcome = (removeResults(), solve());
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"taken out: side ", " particles, "}));
+}
+
+TEST_P(Restart, aRunEndsWhereAllLiquidIsTakenOut)
+{
+    write("constant/outlets", "all { type plane; point (0 0 0.05); normal (0 0 -1); }\n");
+    control("functions { out { type outflow; } sizes { type drops; } state { type liquidState; } }");
+    const Outcome outcome = solve();
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"all liquid was taken out", "taken out: all 294 particles, 2.94e-07 m3", "\nEnd\n"}));
+    EXPECT_TRUE(exists("0.001/liquid/positions"));
+    EXPECT_FALSE(exists("0.002"));
+}
+
 TEST_P(Restart, theNumberOfThreadsChangesNoBit)
 {
     ASSERT_EQ(setenv("OMP_NUM_THREADS", "3", 1), 0);

@@ -3,6 +3,9 @@
 
 #include "support/FlowCase.H"
 
+#include <cmath>
+#include <numbers>
+
 using namespace shizuku;
 using namespace shizuku::test;
 
@@ -18,6 +21,39 @@ TEST(FunctionObjects, LiquidStateMeasuresTheDensityOfItsRow)
     EXPECT_NEAR(lastError(), 1.9, 0.1);
     flow.step({{0, 0, 0}});
     EXPECT_EQ(lastError(), 0);
+}
+
+// Two balls, one of them beside a particle that is alone: of n particles, a sphere of n spacings^3.
+TEST(FunctionObjects, DropsAreCountedAndSized)
+{
+    FlowCase flow("sizes { type drops; classes (0 4e-3 5e-3 1e-2); }");
+    const std::vector<Vec3> large = latticeBall(3), small = latticeBall(2.2f, {10, 0, 0});
+    std::vector<Vec3> all = large;
+    all.insert(all.end(), small.begin(), small.end());
+    all.push_back({0, 10, 0});
+    flow.step(all);
+    const auto value = [&](const std::string& column) { return flow.value("sizes/0/drops.csv", column); };
+    const auto diameter = [](const std::vector<Vec3>& ball) { return 1e-3 * std::cbrt(6 * double(ball.size()) / std::numbers::pi); };
+    const double most = diameter(large), least = diameter(small);
+    ASSERT_GT(large.size(), small.size() + 1);
+    ASSERT_TRUE(most > 5e-3 && least > 4e-3 && least < 5e-3);
+    EXPECT_EQ(value("drops"), 2);
+    EXPECT_NEAR(value("meanDiameter"), (most + least) / 2, 1e-8);       // nine digits in the table
+    EXPECT_NEAR(value("medianDiameter"), most, 1e-8);
+    EXPECT_NEAR(value("largestDiameter"), most, 1e-8);
+    EXPECT_NEAR(value("spray"), 1e-9, 1e-15);
+    EXPECT_EQ(value("from0to0.004"), 0);
+    EXPECT_EQ(value("from0.004to0.005"), 1);
+    EXPECT_EQ(value("from0.005to0.01"), 1);
+
+    const auto make = [](const std::string& classes) { FlowCase bad("sizes { type drops; classes " + classes + "; }"); };
+    EXPECT_TRUE(holds(messageOf([&] { make("(1e-3 1e-3)"); }), {"ascending"}));
+    EXPECT_TRUE(holds(messageOf([&] { make("(-1 1)"); }), {"ascending"}));
+}
+
+TEST(FunctionObjects, OutflowWantsAnOutlet)
+{
+    EXPECT_TRUE(holds(messageOf([] { FlowCase flow("out { type outflow; }"); }), {"no outlet", "constant/outlets"}));
 }
 
 TEST(FunctionObjects, AValueAmongThemIsRefused)

@@ -3,6 +3,7 @@
 // sums of all parts do not depend on the cut.
 
 #include "device/Sharing.H"
+#include "outlets/Outlets.H"
 #include "parallel/PartsOfProcess.H"
 #include "stepping/SubStep.H"
 #include "support/LiquidCase.H"
@@ -29,6 +30,7 @@ struct Scene
     bool sampled, acrossZ;
     int steps;
     std::string nu = "1e-6";            // m2/s
+    std::string outlets = {};
 };
 
 CaseText textOf(const Scene& scene)
@@ -51,7 +53,7 @@ CaseText textOf(const Scene& scene)
 class Drop : public LiquidCase
 {
 public:
-    explicit Drop(const Scene& scene) : LiquidCase(textOf(scene))
+    explicit Drop(const Scene& scene) : LiquidCase(textOf(scene)), outlets(writeOutlets(scene.outlets), liquid)
     {
         const auto set = std::filesystem::path(std::getenv("SHIZUKU_DIR")) / "tests/validation/models" / scene.set;
         std::ifstream file(set / "models");
@@ -105,13 +107,21 @@ public:
         for (int k = 0; k < steps; ++k)
         {
             subStep(dt());
+            if (outlets.takeOut(liquid) > 0) near.recount();
             subStep.begin(dt());
             states.push_back(state());
         }
         return states;
     }
 
+    std::filesystem::path writeOutlets(const std::string& text) const
+    {
+        folder.write("constant/outlets", text);
+        return folder.path();
+    }
+
     std::unique_ptr<Models> models;
+    Outlets outlets;
 };
 
 struct Cut
@@ -202,6 +212,17 @@ TEST(TestParts, LiquidsWithTheirOwnViscosityHaveTheBitsOfTheWhole)
 TEST(TestParts, PbfHasTheBitsOfTheWhole)
 {
     expectSameBits({"Fujisawa2014", "contactAngleCoeffs { solidNormal wall; }", true, false, 12}, {2, 3, 5});
+}
+
+// A plane that the drop moves through: each part takes out its own, and all know how many.
+TEST(TestParts, OutletsTakeOutTheSame)
+{
+    const Scene scene{"default", "", true, false, 12, "1e-6", "out { type plane; point (0 5.9e-3 0); normal (0 1 0); }"};
+    Drop drop(scene);
+    const std::size_t before = drop.state().size(), behind = drop.run(scene.steps).back().size();
+    EXPECT_LT(behind, before);
+    EXPECT_EQ(double(before - behind), drop.liquid.numbers().at(Outlets::numberOf("out")));
+    expectSameBits(scene, {3});
 }
 
 TEST(TestParts, ModelsThatReadNeighboursWithoutGhostsAreRefused)

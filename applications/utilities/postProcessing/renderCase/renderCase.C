@@ -137,6 +137,14 @@ void addGlass(PictureScene& scene, const AnalyticSurface& tube)
     scene.glass.push_back({tube.point + low*tube.direction, tube.direction, high - low + above, tube.radius});
 }
 
+// Solid particles behind a plane: it is a face of a body, and no floor.
+bool isFace(const Plane& plane, const SolidParticles& solid, double spacing)
+{
+    constexpr double layer = 2;         // spacings
+    const auto isBehind = [&](const Vector3& x) { return plane.distance(x) < -layer*spacing; };
+    return std::any_of(solid.positions.begin(), solid.positions.end(), isBehind);
+}
+
 // The first plane wall is the floor. Other patches are shown by the surface that they were sampled from, or by their
 // particles where that is not there.
 void addWalls(PictureScene& scene, const std::filesystem::path& casePath)
@@ -146,7 +154,7 @@ void addWalls(PictureScene& scene, const std::filesystem::path& casePath)
     for (const std::string& name : walls.names)
     {
         const auto plane = planeOf(walls, name, scene.spacing);
-        if (!plane) continue;
+        if (!plane || (shown.contains(name) && isFace(*plane, walls.solid, scene.spacing))) continue;
         if (!scene.floor) scene.floor = plane;
         shown.erase(name);
     }

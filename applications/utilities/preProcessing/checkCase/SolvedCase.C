@@ -44,6 +44,7 @@ void SolvedCase::readWallsAndModels(Findings& findings)
 {
     const double start = time ? time->value() : 0;
     Liquid standIn(liquid ? liquid->properties() : water, Dictionary());
+    findings.attempt([&] { Outlets(path, standIn); });
     if (!liquid)
     {
         std::unique_ptr<Walls> trial;

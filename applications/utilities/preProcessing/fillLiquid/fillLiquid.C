@@ -27,6 +27,7 @@ void report(const FilledBody& body, double spacing)
               << str(body.velocity) << " m/s";
     if (body.angularVelocity != Vector3()) std::cout << ", angular velocity " << str(body.angularVelocity) << " rad/s";
     std::cout << "\n";
+    if (const std::string text = body.shape->describe(); !text.empty()) std::cout << "    " << text << "\n";
     for (const std::string& line : body.leftOut) std::cout << "    left out " << line << "\n";
 }
 
