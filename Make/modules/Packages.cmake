@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What the machine offers. Required: Boost. Optional, and then left out with a message: CUDA (the GPU
+# What the machine offers. Required: Boost, Eigen. Optional, and then left out with a message: CUDA (the GPU
 # backend), VTK and CGAL (utilities), MPI (-parallel), NCCL (between GPUs), GoogleTest and Google Benchmark (tests and benchmarks).
 
 set(Boost_USE_STATIC_LIBS OFF)
@@ -7,6 +7,7 @@ if(POLICY CMP0167)
     cmake_policy(SET CMP0167 OLD)   # FindBoost works with and without Boost's own CMake files
 endif()
 find_package(Boost 1.74 REQUIRED COMPONENTS program_options)
+find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(Threads REQUIRED)
 

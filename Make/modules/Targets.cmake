@@ -28,11 +28,16 @@ function(shizuku_application path)
     cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
     get_filename_component(name ${path} NAME)
     list(TRANSFORM ARG_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/applications/${path}/)
+    shizuku_together(ARG_SOURCES ${name})
     add_executable(${name} ${ARG_SOURCES})
     set_source_files_properties(${ARG_SOURCES} PROPERTIES LANGUAGE CXX)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/applications/${path})
     target_compile_options(${name} PRIVATE ${SHIZUKU_HOST_FLAGS})
     target_link_libraries(${name} PRIVATE shizukuCore ${ARG_LINK})
+    if(NOT ARG_LINK MATCHES "Sampling|Vtk")                             # which bring flags of their own
+        target_compile_options(${name} PRIVATE -fPIC)                   # as shizukuCore, whose headers it takes
+        target_precompile_headers(${name} REUSE_FROM shizukuCore)
+    endif()
 endfunction()
 
 # The executable of an application that runs on a device: a thin launcher that opens lib<name>-<backend>.so, the module

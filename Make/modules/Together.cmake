@@ -3,11 +3,12 @@
 # before 3.31, and no names that each of their sources has.
 option(SHIZUKU_UNITY "Compile up to eight sources of a list as one; OFF: each by itself, which shows whether it includes what it uses" ON)
 
-# Replaces the sources in a list by files that include up to eight of them each, in the list's order. `registered`, by which models enter
+# Replaces the sources in a list of more than one by files that include up to eight of them each, in the list's order. `registered`, by which models enter
 # their tables, is another name in each; other names in unnamed namespaces must differ within eight. ALONE: what is compiled by itself.
 #     shizuku_together(sources core ALONE a.C)
 function(shizuku_together list name)
-    if(NOT SHIZUKU_UNITY)
+    list(LENGTH ${list} length)
+    if(NOT SHIZUKU_UNITY OR length LESS 2)
         return()
     endif()
     cmake_parse_arguments(ARG "" "" "ALONE" ${ARGN})

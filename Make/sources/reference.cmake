@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Paths below src/.
 set(SHIZUKU_REFERENCE_SOURCES
+    maths/LinearSolve.C
     reference/BashforthAdams.C
     reference/CapOnWall.C
     reference/CapillaryWave.C

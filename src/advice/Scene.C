@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace shizuku
 {
@@ -129,9 +128,8 @@ bool Scene::mayMeet() const
         const Vector3 size = body.liquid.size();
         const double now = 0.5*std::max({size.x, size.y, size.z});
         if (walls.empty() || !theta()) return now;
-        const double angle = radians(std::max(*theta(), flattest)), c = std::cos(angle);
-        const double R = std::cbrt(3*body.liquid.volume/(std::numbers::pi*(2 + c)*(1 - c)*(1 - c)));
-        return std::max(now, c > 0 ? R*std::sin(angle) : R);
+        const double angle = std::max(*theta(), flattest), R = 0.5*body.liquid.diameter()*capRadius(angle);
+        return std::max(now, angle < 90 ? R*std::sin(radians(angle)) : R);
     };
     const std::size_t looked = std::min(bodies.size(), mostLookedAt);
     for (std::size_t i = 0; i < looked; ++i)

@@ -4,10 +4,11 @@
 #include "meshes/Bounds.H"
 #include "meshes/PointGrid.H"
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace shizuku
@@ -67,34 +68,16 @@ struct SortedPoints
     }
 };
 
-// Sets of numbers, each told by one of them.
-class Sets
-{
-public:
-    explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t(0)); }
-
-    std::size_t of(std::size_t i)
-    {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-
-    void unite(std::size_t a, std::size_t b) { parent_[std::max(a, b)] = std::min(a, b); }      // two that tell sets
-
-private:
-    std::vector<std::size_t> parent_;
-};
-
 }
 
 std::vector<std::vector<int>> connectedPoints(const std::vector<Vector3>& points, double distance)
 {
     const SortedPoints sorted(points, distance);
-    Sets sets(points.size());
+    boost::disjoint_sets_with_storage<> sets(points.size());
     sorted.forEachPair([&](std::size_t i, std::size_t j)
     {
-        const std::size_t a = sets.of(i), b = sets.of(j);
-        if (a != b && squaredLength(sorted.at[i] - sorted.at[j]) <= distance*distance) sets.unite(a, b);
+        const std::size_t a = sets.find_set(i), b = sets.find_set(j);
+        if (a != b && squaredLength(sorted.at[i] - sorted.at[j]) <= distance*distance) sets.link(a, b);
     });
     std::vector<std::vector<int>> groups;
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -102,7 +85,7 @@ std::vector<std::vector<int>> connectedPoints(const std::vector<Vector3>& points
     for (std::size_t k = 0; k < points.size(); ++k) place[sorted.index[k]] = k;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-        std::size_t& group = groupOf[sets.of(place[i])];
+        std::size_t& group = groupOf[sets.find_set(place[i])];
         if (group == none)
         {
             group = groups.size();

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshes/MeshTopology.H"
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 
 namespace shizuku
 {
@@ -22,24 +23,6 @@ struct Edge
         return a.low != b.low ? a.low < b.low : a.high < b.high;
     }
     bool joins(const Edge& b) const { return low == b.low && high == b.high; }
-};
-
-// Sets of vertices that grow together along faces.
-class DisjointSets
-{
-public:
-    explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-    int root(int i)
-    {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-
-    void unite(int i, int j) { parent_[root(i)] = root(j); }
-
-private:
-    std::vector<int> parent_;
 };
 
 }
@@ -97,18 +80,18 @@ TriangleMesh withSharedVertices(const TriangleMesh& mesh)
 
 std::vector<TriangleMesh> connectedComponents(const TriangleMesh& mesh)
 {
-    DisjointSets sets(mesh.vertices.size());
+    boost::disjoint_sets_with_storage<> sets(mesh.vertices.size());
     for (const auto& [i, j, k] : mesh.faces)
     {
-        sets.unite(i, j);
-        sets.unite(j, k);
+        sets.union_set(i, j);
+        sets.union_set(j, k);
     }
 
     std::vector<TriangleMesh> components;
     std::vector<int> componentOfRoot(mesh.vertices.size(), -1), indexInComponent(mesh.vertices.size(), -1);
     for (const auto& face : mesh.faces)
     {
-        int& component = componentOfRoot[sets.root(face[0])];
+        int& component = componentOfRoot[sets.find_set(face[0])];
         if (component < 0)
         {
             component = int(components.size());

@@ -56,10 +56,11 @@ void Models::refuseParts() const
 {
     const auto refuse = [&](const std::string& kind, const auto& model)
     {
-        if (model.seesGhosts()) return;
+        const std::string word = dict.lookupOr<std::string>(kind, "none");
+        if (word == "none" || model.seesGhosts()) return;
         throw FatalInputError
         (
-            dict.where(kind), "The liquid cannot be cut into parts with " + kind + " " + dict.lookupOr<std::string>(kind, "none") + " as it is",
+            dict.where(kind), "The liquid cannot be cut into parts with " + kind + " " + word + " as it is",
             "pressure completedPbf (without coarseGrid) or pbf, surfaceTension laplacePressure or Fujisawa2014, wetting extendedSurface or contactAngle "
             "(of solidNormal wall or zero), viscosity XSPH, or none of them"
         );

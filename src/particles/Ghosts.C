@@ -84,5 +84,7 @@ template void Ghosts::copy(Buffer<Vec3>&) const;
 template void Ghosts::copy(Buffer<Position>&) const;
 template void Ghosts::copy(Buffer<std::uint32_t>&) const;
 template void Ghosts::copy(Buffer<std::uint8_t>&) const;
+template void Ghosts::copy(const Selection&, Buffer<scalar>&) const;
+template void Ghosts::copy(const Selection&, Buffer<Vec3>&) const;
 
 }

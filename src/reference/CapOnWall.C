@@ -54,6 +54,11 @@ double capEnergy(double angle, double theta)
     return cap.radius*cap.radius*cap.rise*(2 - std::cos(radians(theta))*(1 + cap.cosine));
 }
 
+double capRadius(double angle)
+{
+    return Cap(angle).radius;
+}
+
 double capCentroid(double angle)
 {
     const Cap cap(angle);

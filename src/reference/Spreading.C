@@ -2,6 +2,7 @@
 #include "reference/Spreading.H"
 
 #include "core/angles/Degrees.H"
+#include "reference/CapOnWall.H"
 
 #include <cmath>
 #include <numbers>
@@ -32,8 +33,8 @@ double fittedWettedShare(double time)
 
 double viscousSpreadingTime()
 {
-    // The cap of 41 degrees, over the drop's radius: contact radius.
-    const double c = std::cos(radians(41)), final = std::sin(radians(41))*std::cbrt(4/((2 + c)*(1 - c)*(1 - c)));
+    constexpr double angle = 41;
+    const double final = std::sin(radians(angle))*capRadius(angle);       // of the wetted circle, over the drop's radius
     const double time = std::pow(-std::log(1 - 1/(final*final))/rate, 1/power);
     return time*std::cbrt(4*std::numbers::pi/3);                          // from V^(1/3) to R
 }

@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr std::size_t mostReported = 10;
-constexpr double mostMeanGap = 1.4;         // spacings
+constexpr double mostLiquidGap = 1.4;         // spacings
 
 std::vector<Vector3> toHost(const Buffer<Vec3>& field, double unit, int count)
 {
@@ -63,7 +63,7 @@ void checkViscosity(const LiquidProperties& p, double diameter, const Models& mo
 void checkSpacing(const std::vector<Vector3>& positions, double spacing, Findings& findings)
 {
     const double gap = measureGaps(positions, 3 * spacing).mean / spacing;
-    if (positions.size() < 2 || gap <= mostMeanGap) return;
+    if (positions.size() < 2 || gap <= mostLiquidGap) return;
     std::ostringstream text;
     text << "The liquid's particles are " << gap << " spacings apart on average, not about 1: they were filled in at "
             "another spacing\n    run fillLiquid again";

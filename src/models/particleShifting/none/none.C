@@ -14,7 +14,6 @@ class NoShifting : public ParticleShifting
 public:
     NoShifting(const Dictionary&, Liquid&, const Walls&, FreeSurface&) {}
     void apply(Liquid&, const Neighbourhood&, const Walls&) override {}
-    bool seesGhosts() const override { return true; }
 };
 
 const ParticleShiftingTable::Add<NoShifting> registered{"none", "particles stay where the step has brought them"};

@@ -18,7 +18,6 @@ public:
     bool converged(Liquid&, const Neighbourhood&, const Walls&) override { return true; }
     void correct(Liquid&, const Neighbourhood&, const Walls&) override {}
     int iterations() const override { return 0; }
-    bool seesGhosts() const override { return true; }
 };
 
 const PressureTable::Add<NoPressure> registered{"none", "particles fly freely"};

@@ -16,7 +16,6 @@ public:
 
     bool active() const override { return false; }
     void apply(Liquid&, const Neighbourhood&, const Walls&, Buffer<Vec3>&) override {}
-    bool seesGhosts() const override { return true; }
 };
 
 const SurfaceTensionTable::Add<NoSurfaceTension> registered{"none", "no surface tension"};

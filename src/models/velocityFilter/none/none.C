@@ -14,7 +14,6 @@ class NoFilter : public VelocityFilter
 public:
     NoFilter(const Dictionary&, Liquid&) {}
     void apply(Liquid&, const Neighbourhood&, const Walls&, scalar) override {}
-    bool seesGhosts() const override { return true; }
 };
 
 const VelocityFilterTable::Add<NoFilter> registered{"none", "velocities stay what the step has made them"};

@@ -14,7 +14,6 @@ class NoViscosity : public Viscosity
 public:
     NoViscosity(const Dictionary&, Liquid&) {}
     void apply(Liquid&, const Neighbourhood&, const Walls&, scalar) override {}
-    bool seesGhosts() const override { return true; }
 };
 
 const ViscosityTable::Add<NoViscosity> registered{"none", "inviscid liquid"};

@@ -16,7 +16,6 @@ public:
 
     bool active() const override { return false; }
     void apply(Liquid&, const Neighbourhood&, const Walls&, Buffer<Vec3>&) override {}
-    bool seesGhosts() const override { return true; }
 };
 
 const WettingTable::Add<NoWetting> registered{"none", "walls neither attract nor repel"};

@@ -9,6 +9,7 @@
 #include "core/angles/Degrees.H"
 #include "core/fieldFile/CsvFile.H"
 #include "meshes/ConnectedPoints.H"
+#include "reference/CapOnWall.H"
 #include "reference/DropImpact.H"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ public:
         }
         trace.write();
 
-        const double atRest = std::sin(radians(theta_))*std::cbrt(4/((2 + std::cos(radians(theta_)))*std::pow(1 - std::cos(radians(theta_)), 2)));
+        const double atRest = std::sin(radians(theta_))*capRadius(theta_);
         const double off = double(particlesOff(results));
         std::vector<ComparisonRow> rows
         {
