@@ -6,6 +6,7 @@
 
 #include "CaseChanges.H"
 #include "CaseWriter.H"
+#include "Divergence.H"
 #include "ProfileReport.H"
 #include "SameFiles.H"
 #include "StepReport.H"
@@ -84,7 +85,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
             step.beginAnew();
             functions.modelsMade(flow);
         }
-        const SubSteps steps = step.divide();
+        const SubSteps steps = divideOrRefuse(time, step, setup, writer);
         time.advance();
         balance.keep(liquid, near);
         step.make(steps);
@@ -93,7 +94,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         const bool densitiesAreDue = time.reportDue() || functions.lookAtDensities(time);
         if (densitiesAreDue) flow.computeDensities();
         step.beginNext(steps);
-        refuseDivergence(time, steps, liquid.properties().spacing, step.speeds(), writer, parts);
+        refuseDivergence(time, steps, step, setup, writer);
 
         if (time.writeDue()) setup.models->pressure->complete();
         if (isCut && densitiesAreDue) flow.state();
