@@ -18,6 +18,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     drops/PrescribedAngle.C
     drops/ProfileFit.C
     drops/ProfileFoot.C
+    drops/MotionWarnings.C
     drops/SeparateBodies.C
     drops/WettedSurface.C
     drops/contactLine/ContactLine.C

@@ -47,13 +47,25 @@ std::vector<SeparateBody> separateBodies
     std::vector<SeparateBody> bodies;
     for (const std::vector<int>& group : connectedPoints(positions, reach*spacing))
     {
-        SeparateBody body{group, {}, {}, {}, double(group.size())*spacing*spacing*spacing};
+        SeparateBody body;
+        body.particles = group;
+        body.volume = double(group.size())*spacing*spacing*spacing;
         Bounds bounds;
+        Vector3 centre, spin;
         for (const int i : group)
         {
             body.velocity += velocities[i]/double(group.size());
+            centre += positions[i]/double(group.size());
             bounds.add(positions[i]);
         }
+        double moment = 0;
+        for (const int i : group)
+        {
+            const Vector3 arm = positions[i] - centre;
+            spin += cross(arm, velocities[i] - body.velocity);
+            moment += 2*squaredLength(arm)/3;
+        }
+        if (moment > 0) body.angularVelocity = spin/moment;
         body.low = bounds.low - half;
         body.high = bounds.high + half;
         bodies.push_back(body);

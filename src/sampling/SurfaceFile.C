@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <stdexcept>
 
@@ -25,6 +26,24 @@ namespace
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
+// What CGAL makes as long as the file says, before it has read that much: no longer than the file has room for.
+template<class T>
+struct LimitedVector : std::vector<T>
+{
+    std::size_t most = std::numeric_limits<std::size_t>::max();
+
+    void resize(std::size_t size)
+    {
+        if (size > most) throw std::length_error("more than the file has room for");
+        std::vector<T>::resize(size);
+    }
+};
+
+struct Polygon : LimitedVector<std::size_t>
+{
+    Polygon() { most = 1'000'000; }
+};
+
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& found)
 {
     throw FatalInputError({file.string(), 0}, found);
@@ -32,11 +51,12 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 
 PatchedSurface readOff(const std::filesystem::path& file, const std::string& unnamed)
 {
-    std::vector<Point> points;
-    std::vector<std::vector<std::size_t>> polygons;
+    LimitedVector<Point> points;
+    LimitedVector<Polygon> polygons;
+    points.most = polygons.most = std::filesystem::file_size(file)/2;       // a digit and a blank
     bool good = false;
     try { good = CGAL::IO::read_OFF(file.string(), points, polygons); }
-    catch (const std::length_error&) {}         // counts that no file has room for
+    catch (const std::logic_error&) {}          // lengths beyond these, and what CGAL asserts
     catch (const std::bad_alloc&) {}
     if (!good || polygons.empty()) fail(file, "The file is no OFF surface, not all of one, or has no face");
 

@@ -9,7 +9,7 @@ namespace shizuku
 
 std::optional<ThinPlace> findThinPlace(const PatchedSurface& surface, double spacing)
 {
-    constexpr double opposite = -0.9;           // cosine of 154 degrees: edges below 26 degrees are thin too, and throw liquid
+    constexpr double opposite = -0.867;         // cosine of 150 degrees: edges below 30 degrees are thin too, and throw liquid
     constexpr double enough = 1 - 1e-3;         // of the least thickness: two spacings that were rounded are two
     constexpr double resolution = 0.6;          // spacings between the places that are looked at
     const SurfaceGeometry geometry(surface);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace shizuku
 {
@@ -249,9 +250,18 @@ std::size_t Study::axis(const StudyText& wanted) const
 
 std::vector<StudyRun> runsOf(const Study& study)
 {
+    constexpr std::size_t mostRuns = 100'000;       // before any is left out
     std::vector<StudyRun> runs{{}};
     for (const StudyAxis& axis : study.axes)
     {
+        if (runs.size() * axis.choices.size() > mostRuns)
+        {
+            throw FatalInputError
+            (
+                study.dict.where(), "The grid has " + std::to_string(runs.size()) + " combinations before the axis '" + axis.name + "' of "
+                    + std::to_string(axis.choices.size()) + " choices", "at most " + std::to_string(mostRuns) + " in all"
+            );
+        }
         std::vector<StudyRun> longer;
         for (const StudyRun& run : runs)
         {
@@ -262,7 +272,7 @@ std::vector<StudyRun> runsOf(const Study& study)
                 longer.back().choices.push_back(i);
             }
         }
-        runs = longer;
+        runs = std::move(longer);
     }
     std::erase_if(runs, [&](const StudyRun& run) { return isLeftOut(study, run); });
     if (runs.empty()) throw FatalInputError(study.dict.where("leaveOut"), "Every combination is left out: the grid is empty");

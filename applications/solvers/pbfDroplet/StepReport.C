@@ -3,7 +3,7 @@
 
 #include "caseFiles/SampledWall.H"
 #include "core/arguments/runApplication.H"
-#include "drops/SeparateBodies.H"
+#include "drops/MotionWarnings.H"
 #include "thetaModels/ThetaField.H"
 
 #include <algorithm>
@@ -37,16 +37,30 @@ struct Signal
     void add(const Signal& other) { number = std::max(number, other.number); }
 };
 
-void warnOfResolution(FlowView& flow)
+std::vector<Vector3> velocitiesOf(const Liquid& liquid)
+{
+    const double unit = liquid.units().of(dimensions::velocity);
+    const auto scaled = liquid.velocity.download();
+    std::vector<Vector3> velocities;
+    for (int i = 0; i < liquid.owned(); ++i) velocities.push_back(unit*Vector3(scaled[i].x, scaled[i].y, scaled[i].z));
+    return velocities;
+}
+
+void warnOfStart(FlowView& flow)
 {
     const std::vector<Vector3>& positions = flow.positions();
-    const double spacing = flow.properties().spacing;
-    const std::vector<Vector3> velocities(positions.size());
-    std::vector<std::string> warnings = resolutionWarnings(separateBodies(positions, velocities, spacing), spacing);
+    const LiquidProperties& p = flow.properties();
+    const std::vector<SeparateBody> bodies = separateBodies(positions, velocitiesOf(flow.liquid()), p.spacing);
+    std::vector<std::string> warnings = resolutionWarnings(bodies, p.spacing);
     if (const std::string text = flatteningWarning(flow); !text.empty()) warnings.push_back(text);
     for (const std::string& text : warnings)
     {
         warning(text, {(flow.time.casePath() / "system/solution").string(), 0});
+    }
+    const FlowScales scales{0, 0, 0, p.density, p.viscosity, p.surfaceTension};
+    for (const std::string& text : motionWarnings(flow.models.dict.lookup<std::string>("viscosity"), bodies, scales))
+    {
+        warning(text, {(flow.time.casePath() / "constant/models").string(), 0});
     }
 }
 
@@ -63,7 +77,7 @@ void warnOfOtherSolid(const Time& time, const Walls& walls)
 
 void reportStart(FlowView& flow)
 {
-    if (flow.time.index() == 0) warnOfResolution(flow);
+    if (flow.time.index() == 0) warnOfStart(flow);
     if (flow.walls.particles() > 0) warnOfOtherSolid(flow.time, flow.walls);
     std::cout << "Liquid particles " << flow.particles() << ", solid particles " << flow.walls.particles()
               << ", analytic surfaces " << flow.walls.surfaces() << std::endl;
@@ -166,34 +180,6 @@ void reportCosts(const Liquid& liquid, const CaseWriter& writer)
     const std::size_t most = std::max_element(bytes.begin(), bytes.end()) - bytes.begin();
     std::cout << "\nMemory on the device: " << bytes[most] / 1048576.0 << " MiB (" << bytes[most] / std::max(1, particles[most])
               << " bytes a liquid particle)" << (bytes.size() > 1 ? ", of the part that needs most" : "") << "\nWriting: the time loop waited " << writer.waited() << " s for it" << std::endl;
-}
-
-void refuseDivergence
-(
-    const Time& time, const SubSteps& steps, double spacing, const Speeds& speeds, CaseWriter& writer, const Communicator& parts
-)
-{
-    constexpr double mostSpacings = 10;
-    const double moved = speeds.most * steps.dt / spacing;
-    if (speeds.nonFinite == 0 && moved <= mostSpacings) return;
-
-    writer.finish();
-    parts.any(true);                    // part 0 has finished as well
-    std::ostringstream text;
-    text << "The run diverged at time " << time.name() << " s: ";
-    if (speeds.nonFinite > 0)
-    {
-        text << "the position or velocity of " << speeds.nonFinite << " particles is not a finite number.";
-    }
-    else
-    {
-        text << "a particle moves at " << speeds.most << " m/s, by " << moved << " particle spacings in one step of "
-             << steps.dt << " s.";
-    }
-    text << "\n    The last good state is kept in " << time.lastWritten().string()
-         << ".\n    Try adjustTimeStep yes, or a smaller deltaT, maxCo or maxCapillaryCo in system/controlDict,"
-            " or more iterations in system/solution.";
-    throw FatalError(text.str());
 }
 
 }

@@ -6,6 +6,7 @@
 
 #include "CaseChanges.H"
 #include "CaseWriter.H"
+#include "Divergence.H"
 #include "ProfileReport.H"
 #include "SameFiles.H"
 #include "StepReport.H"
@@ -87,7 +88,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
             step.beginAnew();
             functions.modelsMade(flow);
         }
-        const SubSteps steps = step.divide();
+        const SubSteps steps = divideOrRefuse(time, step, setup, writer);
         time.advance();
         balance.keep(liquid, near);
         step.make(steps);
@@ -97,7 +98,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         if (densitiesAreDue) flow.computeDensities();
         takeOut(setup, near, flow, time);
         step.beginNext(steps);
-        refuseDivergence(time, steps, liquid.properties().spacing, step.speeds(), writer, parts);
+        refuseDivergence(time, steps, step, setup, writer);
 
         if (time.writeDue()) setup.models->pressure->complete();
         if (isCut && densitiesAreDue) flow.state();

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 #include <utility>
 
@@ -43,11 +44,11 @@ CsvFile::CsvFile(std::filesystem::path file, std::vector<Column> columns)
     const char* separator = "";
     for (const Column& column : columns)
     {
-        text_ += std::exchange(separator, ",");
-        text_ += cellText(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]");
+        header_ += std::exchange(separator, ",");
+        header_ += cellText(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]");
         columns_.push_back(column.name);
     }
-    text_ += '\n';
+    header_ += '\n';
 }
 
 void CsvFile::addRow(const std::vector<Cell>& cells)
@@ -56,17 +57,27 @@ void CsvFile::addRow(const std::vector<Cell>& cells)
     const char* separator = "";
     for (const Cell& cell : cells)
     {
-        text_ += std::exchange(separator, ",");
-        std::visit([&](const auto& value) { text_ += cellText(value); }, cell);
+        unwritten_ += std::exchange(separator, ",");
+        std::visit([&](const auto& value) { unwritten_ += cellText(value); }, cell);
     }
-    text_ += '\n';
+    unwritten_ += '\n';
     lastRow_ = cells;
     ++rows_;
 }
 
 WriteJob CsvFile::writing() const
 {
-    return [file = file_, text = text_] { writeAtomically(file, [&](std::ostream& stream) { stream << text; }); };
+    return [file = file_, header = header_, isFirst = !std::exchange(begun_, true), rows = std::exchange(unwritten_, {})]
+    {
+        writeAtomically(file, [&](std::ostream& stream)
+        {
+            std::ifstream before;
+            if (!isFirst) before.open(file, std::ios::binary);
+            if (before.is_open() && before.peek() != std::ifstream::traits_type::eof()) stream << before.rdbuf();
+            else stream << header;
+            stream << rows;
+        });
+    };
 }
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fieldFile/FieldListReader.H"
 
+#include "core/dictionary/InputLimits.H"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -101,6 +103,14 @@ std::vector<double> readAsciiList(FieldCursor& cursor, FieldType type, long expe
 
     if (counted && cursor.accept('{'))
     {
+        if (expectedElements < 0 && length > long(inputLimits::listValues))
+        {
+            throw FatalInputError
+            (
+                start, "The list has " + std::to_string(length) + " equal elements",
+                "at most " + std::to_string(inputLimits::listValues) + ", or its elements one by one"
+            );
+        }
         readElement(cursor, type, values);
         cursor.expect('}', "behind the value of all elements");
         const std::vector<double> element = values;

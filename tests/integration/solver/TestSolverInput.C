@@ -462,10 +462,14 @@ TEST_P(Input, aRunThatDiverges)
     // Finite, but absurd.
     control("adjustTimeStep no; deltaT 1; endTime 10;");
     const std::string kept = "last good state is kept in " + (path()/"0.004").string();
-    expectRefusal({"diverged", "m/s", "particle spacings in one step of 1 s", kept, "deltaT"});
+    expectRefusal
+    (
+        {"diverged", "m/s", "particle spacings in one step of 1 s", "The fastest is particle ", ", at (", "times as long as the capillary limit",
+         "Set adjustTimeStep yes", kept}
+    );
     // With sub-steps it needs too many of them.
     control("deltaT 10; endTime 100;");
-    expectRefusal({"sub-steps", "maxSubSteps 1000", "deltaT"});
+    expectRefusal({"sub-steps", "maxSubSteps 1000", "deltaT", "The fastest is particle ", kept});
 }
 
 }

@@ -37,6 +37,29 @@ TEST(CsvFile, MayBeWrittenAfterEachRow)
     EXPECT_EQ(table.rows(), 3u);
 }
 
+// What was written is not kept: a long run's tables take no memory. A table that is there from another run is replaced.
+TEST(CsvFile, AddsToWhatIsOnTheDisk)
+{
+    const ScratchFolder folder;
+    folder.write("volume.csv", "of another run\n");
+    CsvFile table(folder.path() / "volume.csv", {{"volume", "m^3"}});
+    table.addRow({1.0});
+    const WriteJob first = table.writing();
+    table.addRow({2.0});
+    const WriteJob second = table.writing();
+    first();
+    EXPECT_EQ(folder.read("volume.csv"), "volume [m^3]\n1\n");
+    second();
+    table.write();
+    EXPECT_EQ(folder.read("volume.csv"), "volume [m^3]\n1\n2\n");
+
+    std::filesystem::remove(folder.path() / "volume.csv");
+    table.addRow({3.0});
+    table.write();
+    EXPECT_EQ(folder.read("volume.csv"), "volume [m^3]\n3\n");
+    EXPECT_EQ(table.rows(), 3u);
+}
+
 TEST(CsvFile, RefusesARowOfAnotherLength)
 {
     CsvFile table("unused.csv", {{"time", "s"}, {"angle", "deg"}});

@@ -293,6 +293,8 @@ TEST(FieldFile, RefusesWrongLists)
     EXPECT_TRUE(holds(errorOf(list("1((1 2 3));\n\nmore 1;")), {"Found 'more'", "end of the file", "line 5"}));
     // A length that is a lie asks for no memory before the file is found to be short.
     EXPECT_TRUE(holds(errorOf(list("4000000000000((1 2 3));")), {"has 1 elements"}));
+    EXPECT_TRUE(holds(errorOf(list("4000000000000{(1 2 3)};")), {"has 4000000000000 equal elements", "at most 1000000", "line 3"}));
+    EXPECT_EQ(errorOf(list("1000000{(1 2 3)};")), "no error");
 
     const ScratchFolder folder;
     const fs::path id = folder.write

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshes/ConnectedPoints.H"
+#include "drops/MotionWarnings.H"
 #include "drops/SeparateBodies.H"
+#include "support/ScratchFolder.H"
 
 #include <gtest/gtest.h>
 
@@ -70,6 +72,36 @@ TEST(SeparateBodies, haveTheirParticlesBoxAndMotion)
     EXPECT_NEAR(length(bodies[0].size() - Vector3(3, 3, 3)), 0, 1e-14);
     EXPECT_NEAR(length(bodies[1].velocity - Vector3(0, 0, 0.5)), 0, 1e-15);
     EXPECT_EQ(bodies[1].low, Vector3(-0.5, -0.5, -0.5));
+}
+
+// Cubes that turn as solids do: a cube has the same moment about each axis, so that the spin is exact.
+TEST(SeparateBodies, haveTheirSpin)
+{
+    std::vector<Vector3> positions, velocities;
+    addCube(positions, 4, {7, 1, 2});
+    const Vector3 spin(1, -2, 3);
+    for (const Vector3& x : positions) velocities.push_back(Vector3(5, 0, 0) + cross(spin, x));
+    EXPECT_NEAR(length(separateBodies(positions, velocities, 1)[0].angularVelocity - spin), 0, 1e-13);
+}
+
+TEST(MotionWarnings, tellWhatTheViscosityDoesNotDo)
+{
+    std::vector<Vector3> positions, still, turning;
+    addCube(positions, 10, {0, 0, 0});
+    for (Vector3& x : positions) x *= 1e-4;
+    for (const Vector3& x : positions) turning.push_back(cross({0, 0, 30}, x));
+    still.resize(positions.size());
+    const auto warnings = [&](const std::string& model, const std::vector<Vector3>& velocities, double nu)
+    {
+        std::string all;
+        for (const std::string& text : motionWarnings(model, separateBodies(positions, velocities, 1e-4), {0, 0, 0, 998, nu, 0.0728})) all += text + "\n";
+        return all;
+    };
+    EXPECT_EQ(warnings("XSPH", still, 1e-6), "");
+    EXPECT_TRUE(holds(warnings("XSPH", turning, 1e-6), {"body 1 of 1 turns at 30 rad/s", "newtonian with velocityFilter affine"}));
+    EXPECT_TRUE(holds(warnings("XSPH", still, 1e-3), {"nu, 0.001 m2/s, does not act with viscosity XSPH"}));
+    EXPECT_TRUE(holds(warnings("none", turning, 1e-3), {"does not act with viscosity none"}));
+    EXPECT_EQ(warnings("newtonian", turning, 1e-3) + warnings("laminar", turning, 1e-3), "");
 }
 
 TEST(SeparateBodies, sayWhatIsResolvedBadly)

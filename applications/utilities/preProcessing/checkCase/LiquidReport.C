@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LiquidReport.H"
 
-#include "drops/SeparateBodies.H"
+#include "drops/MotionWarnings.H"
 #include "meshes/ConnectedPoints.H"
-#include "reference/FlowNumbers.H"
 
 #include <algorithm>
 #include <iostream>
@@ -47,19 +46,6 @@ void checkProperties(const LiquidProperties& p, Findings& findings)
     }
 }
 
-// Models that damp by shares of a step know nothing of nu.
-void checkViscosity(const LiquidProperties& p, double diameter, const Models& models, Findings& findings)
-{
-    constexpr double felt = 0.1;                // Ohnesorge number: a swing loses half of its height within one
-    const std::string model = models.dict.lookup<std::string>("viscosity");
-    const double ohnesorge = flowNumbers({diameter, 0, 0, p.density, p.viscosity, p.surfaceTension}).ohnesorge;
-    if ((model != "none" && model != "XSPH") || p.surfaceTension == 0 || ohnesorge < felt) return;
-    std::ostringstream text;
-    text << "nu, " << p.viscosity << " m2/s, does not act with viscosity " << model << ", and would be felt (Ohnesorge number " << ohnesorge
-         << ")\n    viscosity laminar or newtonian takes it";
-    findings.warn(text.str());
-}
-
 void checkSpacing(const std::vector<Vector3>& positions, double spacing, Findings& findings)
 {
     const double gap = measureGaps(positions, 3 * spacing).mean / spacing;
@@ -94,7 +80,11 @@ void reportLiquid(const Liquid& liquid, const Models* models, Findings& findings
               << liquid.owned() * p.particleVolume() << " m3, separate bodies " << bodies.size() << "\n";
     for (std::size_t i = 0; i < std::min(bodies.size(), mostReported); ++i) report(bodies[i], i + 1, p, gravity);
     if (bodies.size() > mostReported) std::cout << "and " << bodies.size() - mostReported << " smaller ones\n";
-    if (models) checkViscosity(p, bodies.front().diameter(), *models, findings);
+    if (models)
+    {
+        const FlowScales scales{0, 0, gravity, p.density, p.viscosity, p.surfaceTension};
+        for (const std::string& warning : motionWarnings(models->dict.lookup<std::string>("viscosity"), bodies, scales)) findings.warn(warning);
+    }
     for (const std::string& warning : resolutionWarnings(bodies, p.spacing)) findings.warn(warning);
 }
 

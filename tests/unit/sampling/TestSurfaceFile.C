@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sampling/SurfaceFile.H"
+#include "support/ScratchFolder.H"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+TEST(OffFile, facesAndCommentsAreRead)
+{
+    const ScratchFolder folder;
+    const PatchedSurface quad = readSurface(folder.write("a.off", "OFF # a quad\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 # its face\n"), "wall");
+    EXPECT_EQ(quad.mesh.vertices.size(), 4u);
+    EXPECT_EQ(quad.mesh.faces.size(), 2u);
+}
+
+// Believed, each of these takes gigabytes and seconds: they are refused in milliseconds, and in a second on a busy machine.
+TEST(OffFile, lengthsThatTheFileHasNoRoomForAreRefusedAtOnce)
+{
+    const ScratchFolder folder;
+    const std::string points = "0 0 0\n1 0 0\n1 1 0\n";
+    const auto start = std::chrono::steady_clock::now();
+    for (const std::string& text :
+        {"OFF\n300000000 1 0\n" + points, "OFF\n3 300000000 0\n" + points, "OFF\n3 1 0\n" + points + "1e9 0 1 2\n", "OFF\n3 1 0\n" + points + "-1 0 1 2\n"})
+    {
+        const auto file = folder.write("a.off", text);
+        EXPECT_TRUE(holds(messageOf([&] { readSurface(file, "wall"); }), {"a.off", "no OFF surface"})) << text;
+    }
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 1);
+}
