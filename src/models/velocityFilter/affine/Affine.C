@@ -48,14 +48,14 @@ struct FitGradient
     Span<const Position> x;
     Span<const Vec3> velocity;
     NeighbourView near;
-    InverseMomentsView inverse;
     RowsField<Vec3> gradient;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const scalar full = inverse.full(i);
-        Rows B = full * leastSquaresGradient(k, volume, i, x, velocity, near, inverse[i], team);
+        const MeasuredGradient own = measureGradient(k, volume, i, x, velocity, near, team);
         if (!team.first()) return;
+        const scalar full = own.inverse.diagonal.w;
+        Rows B = full * own.gradient;
         B.x.w = full;
         gradient.store(i, B);
     }
@@ -114,7 +114,6 @@ public:
     {
         liquid.ghosts().copy(liquid.position);
         liquid.ghosts().copy(liquid.velocity);
-        inverse_.resizeDiscarding(liquid.all());
         gradient_.resizeDiscarding(liquid.all());
         Buffer<Vec3> filtered(liquid.all());
         std::visit
@@ -125,8 +124,7 @@ public:
                 const scalar V = liquid.particleVolume();
                 const Span<const Position> x = std::as_const(liquid.position).span();
                 const Span<const Vec3> u = std::as_const(liquid.velocity).span();
-                forEachTeam(liquid.owned(), MeasureMoments<KernelWeight<Kernel>>{k, V, x, near.view(), inverse_.view()});
-                forEachTeam(liquid.owned(), FitGradient<Kernel>{k, V, x, u, near.view(), inverse_.view(), gradient_.view()});
+                forEachTeam(liquid.owned(), FitGradient<Kernel>{k, V, x, u, near.view(), gradient_.view()});
                 for (Buffer<Vec3>* row : {&gradient_.x, &gradient_.y, &gradient_.z}) liquid.ghosts().copy(*row);
                 forEachTeam(liquid.owned(), TakeOut<Kernel>
                 {
@@ -142,7 +140,6 @@ public:
 private:
     SmoothingControls controls_;
     scalar atWalls_;
-    InverseMoments inverse_;
     OwnedRows gradient_;
 };
 
