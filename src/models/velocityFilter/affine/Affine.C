@@ -14,13 +14,17 @@
 // than c. w: the kernel density of walls, which are at rest; a, atWalls, is their share, slipAbove, s, the speed up to which they have it wholly: what trembles on a wall
 // comes to rest on it. Without a surface tension p and s are 0 where nothing is said.
 //
+// With keepsTurns what forces lose of a turn is given back before (TurningForces.H).
+//
 //     velocityFilter  affine;
-//     affineCoeffs    { c 0.2; perCapillaryStep 0.98; atWalls 1; slipAbove 0.1; }
+//     affineCoeffs    { c 0.2; perCapillaryStep 0.98; atWalls 1; slipAbove 0.1; keepsTurns no; }
 
 #include "models/smoothing/SmoothingControls.H"
 #include "models/velocityFilter/VelocityFilter.H"
+#include "models/velocityFilter/affine/TurningForces.H"
 #include "models/velocityGradient/LeastSquaresGradient.H"
 
+#include <optional>
 #include <utility>
 
 namespace shizuku
@@ -106,13 +110,21 @@ public:
     Affine(const Dictionary& coeffs, Liquid& liquid)
     :
         controls_(coeffs, liquid, {.c = 0.2, .perCapillaryStep = 0.98, .slipAbove = 0.1}), atWalls_(shareOf(coeffs, "atWalls", 1))
-    {}
+    {
+        if (coeffs.lookupOr("keepsTurns", false)) turning_.emplace(liquid);
+    }
 
     bool seesGhosts() const override { return true; }
+
+    void begin(const Liquid& liquid) override
+    {
+        if (turning_) turning_->begin(liquid);
+    }
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
         liquid.ghosts().copy(liquid.position);
+        if (turning_) turning_->apply(liquid, near, dt);
         liquid.ghosts().copy(liquid.velocity);
         gradient_.resizeDiscarding(liquid.all());
         Buffer<Vec3> filtered(liquid.all());
@@ -140,6 +152,7 @@ public:
 private:
     SmoothingControls controls_;
     scalar atWalls_;
+    std::optional<TurningForces> turning_;
     OwnedRows gradient_;
 };
 
