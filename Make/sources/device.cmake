@@ -84,6 +84,7 @@ set(SHIZUKU_DEVICE_SOURCES
     models/velocityFilter/VelocityFilter.C
     models/velocityFilter/none/none.C
     models/velocityFilter/affine/Affine.C
+    models/velocityFilter/affine/TurningForces.C
     models/bodyForce/BodyForce.C
     models/bodyForce/none/none.C
     models/bodyForce/gravity/Gravity.C

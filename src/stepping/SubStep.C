@@ -53,6 +53,7 @@ void SubStep::begin(scalar dt)
 {
     models_.bodyForce->predict(liquid_, dt);
     search(liquid_, near_, walls_, models_);
+    models_.velocityFilter->begin(liquid_);
     applyForces(dt);
     begun_ = dt;
 }

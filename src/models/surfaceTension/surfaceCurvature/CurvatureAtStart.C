@@ -41,6 +41,7 @@ struct TakeBack
     FreeSurfaceView surface;
     Span<const Vec3> normal;
     Span<const scalar> change;
+    scalar share;
     Span<scalar> curvature;
 
     HOST_DEVICE void operator()(int i, Team team) const
@@ -60,7 +61,7 @@ struct TakeBack
         forEachOnSurface(i, mi, near, surface, normal, [&](int l, Vec3) { add(l, W.W(norm(surface.position[l] - xi))); }, team);
         weights = team.sum(weights);
         changes = team.sum(changes);
-        if (team.first() && weights > 0) curvature[k] -= changes / weights;
+        if (team.first() && weights > 0) curvature[k] -= share * changes / weights;
     }
 };
 
@@ -74,7 +75,7 @@ CurvatureAtStart::CurvatureAtStart(Liquid& liquid)
     }))
 {}
 
-void CurvatureAtStart::bring(CurvatureField& field, const Liquid& liquid, const Neighbourhood& near, const FreeSurface& surface)
+void CurvatureAtStart::bring(CurvatureField& field, const Liquid& liquid, const Neighbourhood& near, const FreeSurface& surface, scalar share)
 {
     Buffer<scalar> change(surface.particles().indices.size());
     now_.resizeDiscarding(liquid.all());
@@ -86,7 +87,7 @@ void CurvatureAtStart::bring(CurvatureField& field, const Liquid& liquid, const 
     liquid.ghosts().copy(surface.particles(), change);
     forEachTeam(surface.particles(), TakeBack
     {
-        surface.kernel(), near.view(), view, field.normal.span(), change.span(), field.curvature.span()
+        surface.kernel(), near.view(), view, field.normal.span(), change.span(), share, field.curvature.span()
     });
     liquid.ghosts().copy(surface.particles(), field.curvature);
 }

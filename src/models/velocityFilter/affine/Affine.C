@@ -14,13 +14,17 @@
 // than c. w: the kernel density of walls, which are at rest; a, atWalls, is their share, slipAbove, s, the speed up to which they have it wholly: what trembles on a wall
 // comes to rest on it. Without a surface tension p and s are 0 where nothing is said.
 //
+// With keepsTurns what forces lose of a turn is given back before (TurningForces.H).
+//
 //     velocityFilter  affine;
-//     affineCoeffs    { c 0.2; perCapillaryStep 0.98; atWalls 1; slipAbove 0.1; }
+//     affineCoeffs    { c 0.2; perCapillaryStep 0.98; atWalls 1; slipAbove 0.1; keepsTurns no; }
 
 #include "models/smoothing/SmoothingControls.H"
 #include "models/velocityFilter/VelocityFilter.H"
+#include "models/velocityFilter/affine/TurningForces.H"
 #include "models/velocityGradient/LeastSquaresGradient.H"
 
+#include <optional>
 #include <utility>
 
 namespace shizuku
@@ -48,14 +52,14 @@ struct FitGradient
     Span<const Position> x;
     Span<const Vec3> velocity;
     NeighbourView near;
-    InverseMomentsView inverse;
     RowsField<Vec3> gradient;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const scalar full = inverse.full(i);
-        Rows B = full * leastSquaresGradient(k, volume, i, x, velocity, near, inverse[i], team);
+        const MeasuredGradient own = measureGradient(k, volume, i, x, velocity, near, team);
         if (!team.first()) return;
+        const scalar full = own.inverse.diagonal.w;
+        Rows B = full * own.gradient;
         B.x.w = full;
         gradient.store(i, B);
     }
@@ -106,15 +110,22 @@ public:
     Affine(const Dictionary& coeffs, Liquid& liquid)
     :
         controls_(coeffs, liquid, {.c = 0.2, .perCapillaryStep = 0.98, .slipAbove = 0.1}), atWalls_(shareOf(coeffs, "atWalls", 1))
-    {}
+    {
+        if (coeffs.lookupOr("keepsTurns", false)) turning_.emplace(liquid);
+    }
 
     bool seesGhosts() const override { return true; }
+
+    void begin(const Liquid& liquid) override
+    {
+        if (turning_) turning_->begin(liquid);
+    }
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
         liquid.ghosts().copy(liquid.position);
+        if (turning_) turning_->apply(liquid, near, dt);
         liquid.ghosts().copy(liquid.velocity);
-        inverse_.resizeDiscarding(liquid.all());
         gradient_.resizeDiscarding(liquid.all());
         Buffer<Vec3> filtered(liquid.all());
         std::visit
@@ -125,8 +136,7 @@ public:
                 const scalar V = liquid.particleVolume();
                 const Span<const Position> x = std::as_const(liquid.position).span();
                 const Span<const Vec3> u = std::as_const(liquid.velocity).span();
-                forEachTeam(liquid.owned(), MeasureMoments<KernelWeight<Kernel>>{k, V, x, near.view(), inverse_.view()});
-                forEachTeam(liquid.owned(), FitGradient<Kernel>{k, V, x, u, near.view(), inverse_.view(), gradient_.view()});
+                forEachTeam(liquid.owned(), FitGradient<Kernel>{k, V, x, u, near.view(), gradient_.view()});
                 for (Buffer<Vec3>* row : {&gradient_.x, &gradient_.y, &gradient_.z}) liquid.ghosts().copy(*row);
                 forEachTeam(liquid.owned(), TakeOut<Kernel>
                 {
@@ -142,7 +152,7 @@ public:
 private:
     SmoothingControls controls_;
     scalar atWalls_;
-    InverseMoments inverse_;
+    std::optional<TurningForces> turning_;
     OwnedRows gradient_;
 };
 

@@ -223,17 +223,12 @@ public:
         if (nu_ == 0 || liquid.isEmpty()) return;
         liquid.ghosts().copy(liquid.position);
         liquid.ghosts().copy(liquid.velocity);
-        inverse_.resizeDiscarding(liquid.all());
         stress_.resizeDiscarding(liquid.all());
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
                 const Step<Kernel> step{W, liquid, std::as_const(liquid.position).span(), near.view(), walls, dt};
-                forEachTeam(liquid.owned(), MeasureMoments<SlopeWeight<Kernel>>
-                {
-                    {W}, liquid.particleVolume(), step.x, step.near, inverse_.view()
-                });
                 const Buffer<Vec3> before = dt * nu_ * stiffest_ <= 0.25f ? takeOne(step) : solve(step);
                 forEach(liquid.owned(), MoveOn{dt, before.span(), std::as_const(liquid.velocity).span(), liquid.position.span()});
             },
@@ -285,11 +280,11 @@ private:
         };
     }
 
-    // P of the vectors, of ghosts too, which have theirs.
-    template<class Kernel>
+    // P of the vectors, of ghosts too, which have theirs. The first of a step measures the moments.
+    template<template<class> class Find, class Kernel>
     void findStress(const Step<Kernel>& at, const Buffer<Vec3>& vectors)
     {
-        forEachTeam(at.liquid.owned(), FindStress<SlopeWeight<Kernel>>
+        forEachTeam(at.liquid.owned(), Find<SlopeWeight<Kernel>>
         {
             {at.W}, at.liquid.particleVolume(), nu_, at.x, vectors.span(), at.near, inverse_.view(), stress_.view()
         });
@@ -300,7 +295,8 @@ private:
     template<class Kernel>
     Buffer<Vec3> takeOne(const Step<Kernel>& at)
     {
-        findStress(at, at.liquid.velocity);
+        inverse_.resizeDiscarding(0);
+        findStress<FindFirstStress>(at, at.liquid.velocity);
         Buffer<Vec3> velocity(at.liquid.all());
         forEachTeam(at.liquid.owned(), TakeOne<Kernel>
         {
@@ -319,13 +315,15 @@ private:
         forEach(liquid.owned(), Copy{std::as_const(liquid.velocity).span(), start.span()});
         for (Buffer<Vec3>* vector : {&residual_, &product_, &direction_, &ofDirection_}) vector->resizeDiscarding(liquid.all());
         const int n = liquid.owned(), held = isHeld(at.walls) ? liquid.all() : 0;
+        inverse_.resizeDiscarding(liquid.all());
         dragDiagonal_.resizeDiscarding(held);
         dragOther_.resizeDiscarding(held);
         if (held) forEach(n, StoreDrag<Kernel>{drag(at), dragDiagonal_.span(), dragOther_.span()});
         const auto multiply = [&](Buffer<Vec3>& vector, scalar own, Buffer<Vec3>& product)
         {
             liquid.ghosts().copy(vector);
-            findStress(at, vector);
+            if (&vector == &liquid.velocity) findStress<FindFirstStress>(at, vector);
+            else findStress<FindStress>(at, vector);
             forEachTeam(n, Multiply<SlopeWeight<Kernel>>
             {
                 {at.W}, liquid.particleVolume(), at.dt, own, at.x, vector.span(), at.near, stress_.seen(), dragDiagonal_.span(), dragOther_.span(),

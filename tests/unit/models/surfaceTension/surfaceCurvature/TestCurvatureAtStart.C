@@ -21,13 +21,13 @@ public:
     ShrinkingBall() : curvature_(Dictionary::parse("", "constant/models"), liquid, surface, 1), atStart_(liquid) {}
 
     // The mean over the surface, of the ball that is so large now.
-    double mean(scalar size, bool brought, bool ends = true)
+    double mean(scalar size, bool brought, bool ends = true, scalar share = 1)
     {
         auto points = points_;
         for (Vec3& x : points) x = size * x;
         move(points);
         CurvatureField field = curvature_(liquid, near, walls);
-        if (brought) atStart_.bring(field, liquid, near, surface);
+        if (brought) atStart_.bring(field, liquid, near, surface, share);
         if (brought && ends) atStart_.endStep();
         const auto kappa = field.curvature.download();
         const auto normal = field.normal.download();
@@ -75,6 +75,18 @@ TEST(CurvatureAtStart, IsThatOfTheStepBefore)
     EXPECT_NEAR(ball.mean(1, true) / first, 1, 1e-6);           // no step before it
     EXPECT_NEAR(ball.mean(0.97f, true) / first, 1, 0.003);
     EXPECT_NEAR(ball.mean(0.97f, true) / second, 1, 0.003);
+}
+
+// A share of the way back.
+TEST(CurvatureAtStart, IsWhatTheShareAsksFor)
+{
+    const double first = ShrinkingBall().mean(1, false), second = ShrinkingBall().mean(0.97f, false);
+    for (const scalar share : {0.0f, 0.25f})
+    {
+        ShrinkingBall ball;
+        ball.mean(1, true);
+        EXPECT_NEAR(ball.mean(0.97f, true, true, share), second + share * (first - second), 0.003 * share * first + 1e-6 * second);
+    }
 }
 
 // A step that is made again, with longer lists, begins where it began.

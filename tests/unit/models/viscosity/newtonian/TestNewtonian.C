@@ -70,11 +70,11 @@ TEST(Newtonian, KeepsMomentumAndAngularMomentum)
         const auto result = after(drop, points, velocities, 0.2f);
         const MotionSums before = motionOf(points, velocities), now = motionOf(points, result);
         EXPECT_LT(now.energy, 0.95 * before.energy) << nu;
-        // 500 velocities of order one, rounded to 6e-8 once for each of up to two hundred iterations, at distances of up to 5.
+        // 500 velocities of order one, rounded to 6e-8 once for each of up to two hundred iterations, 6e-8 200 sqrt(500), at distances of up to 5.
         for (int c = 0; c < 3; ++c)
         {
-            EXPECT_NEAR(now.momentum[c], before.momentum[c], 1e-4) << nu;
-            EXPECT_NEAR(now.angular[c], before.angular[c], 1e-3) << nu;
+            EXPECT_NEAR(now.momentum[c], before.momentum[c], 2.7e-4) << nu;
+            EXPECT_NEAR(now.angular[c], before.angular[c], 1.35e-3) << nu;
         }
     }
 }
