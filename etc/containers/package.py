@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Recipe for Spack 1: packages/shizuku/package.py of a repository of recipes; spack dev-build shizuku@0.3.0 in a source tree.
+# Recipe for Spack 1: packages/shizuku/package.py of a repository of recipes; spack dev-build shizuku@0.4.0 in a source tree.
 from spack_repo.builtin.build_systems.cmake import CMakePackage, generator
 from spack_repo.builtin.build_systems.cuda import CudaPackage
 
@@ -10,7 +10,7 @@ class Shizuku(CMakePackage, CudaPackage):
     """Position based droplets on wettable solids."""
 
     license("GPL-3.0-or-later")
-    version("0.3.0")
+    version("0.4.0")
     generator("ninja")
     variant("mpi", default=True, description="pbfDroplet -parallel")
     variant("cgal", default=True, description="sampleSurface")
