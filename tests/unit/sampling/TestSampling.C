@@ -48,6 +48,26 @@ PatchedSurface wedge(double degrees)
     return surface;
 }
 
+// A cone 20 deep, whose tip looks upwards.
+PatchedSurface cone(double degrees)
+{
+    constexpr int sides = 48;
+    const double radius = 20*std::tan(0.5*degrees*std::numbers::pi/180);
+    PatchedSurface surface;
+    surface.mesh.vertices = {{0, 0, 0}, {0, 0, -20}};
+    for (int i = 0; i < sides; ++i)
+    {
+        const double angle = 2*std::numbers::pi*i/sides;
+        surface.mesh.vertices.emplace_back(radius*std::cos(angle), radius*std::sin(angle), -20);
+        const int a = 2 + i, b = 2 + (i + 1) % sides;
+        surface.mesh.faces.push_back({0, a, b});
+        surface.mesh.faces.push_back({1, b, a});
+    }
+    surface.patch.assign(surface.mesh.faces.size(), 0);
+    surface.patches = {"cone"};
+    return surface;
+}
+
 PatchedSurface plate(double thickness)
 {
     PatchedSurface surface = cube(20);
@@ -192,6 +212,20 @@ TEST(ThinSolid, blocksEdgesAndSheetsAreNotThin)
     }
     // Two blocks with a slit of liquid of half a spacing.
     EXPECT_FALSE(findThinPlace(joined(cube(12), moved(cube(12), Vector3(0, 0, 12.5))), 1));
+}
+
+TEST(ThinSolid, tipsOfNeedlesAreFound)
+{
+    for (const double degrees : {20, 30, 45})
+    {
+        const auto tip = findSharpTip(cone(degrees), 1);
+        ASSERT_TRUE(tip) << degrees;
+        EXPECT_LT(length(*tip), 5) << degrees;      // a cone of 20 degrees is 1.5 thick 4.3 below its tip
+    }
+    for (const PatchedSurface& surface : {cone(60), cone(90), wedge(35), wedge(60), cube(12), sphere(6, 3), plate(2), rectangle(20, 20)})
+    {
+        EXPECT_FALSE(findSharpTip(surface, 1)) << surface.patches.front();
+    }
 }
 
 TEST(Slivers, areLeftOutAndSaid)

@@ -54,6 +54,16 @@ TEST_F(StudyOf, TheGridIsEveryCombination)
     EXPECT_EQ(s.axis({"set", {}}), 1u);
 }
 
+// All combinations stand in memory before some are left out.
+TEST_F(StudyOf, AGridWithoutEndIsRefused)
+{
+    std::string axes;
+    for (const char* word : {"particles", "volume", "spacing", "set", "more"}) axes += std::string(word) + " (1 2 3 4 5 6 7 8 9 10 11); ";
+    folder_.write("values", "particles 1;\nvolume 1;\nspacing 1;\nset 1;\nmore 1;\n");
+    const std::string found = messageOf([&] { runsOf(study("}\naxes { " + axes + "}\n")); });
+    EXPECT_TRUE(holds(found, {"14641 combinations before the axis 'more' of 11 choices", "at most 100000"})) << found;
+}
+
 TEST_F(StudyOf, ValuesFollowTheChoice)
 {
     const Study s = study("folders { m \"sets/@set@\"; }\n}\naxes { particles (1 8); set (other); }\n");
