@@ -39,7 +39,7 @@ std::unique_ptr<ParallelRun> open(int argc, char** argv)
         throw FatalError
         (
             "Option -parallel needs Open MPI: " + std::string(dlerror())
-          + ".\n    Where libshizukuMpi.so itself is missing, Shizuku was built without it: install libopenmpi-dev (etc/setup does) and build again."
+          + ".\n    Where libshizukuMpi.so itself is missing: of packages, install shizuku-mpi too; where Shizuku was built here, install libopenmpi-dev (etc/setup does) and build again."
         );
     }
     const auto make = reinterpret_cast<OpenParallelRun>(dlsym(module, "openMpi"));
