@@ -163,7 +163,7 @@ DropRecord DropMeasurement::measureDrop
         {
             record.capillaryLength = profile->capillaryLength;
             record.sigma = density_*length(gravity_)*std::pow(profile->capillaryLength, 2);
-            if (const auto foot = footOf(*profile, centroid, -normalized(gravity_), *wall_))
+            if (const auto foot = footOf(*profile, centroid, (profile->hangs ? 1 : -1)*normalized(gravity_), *wall_))
             {
                 record.profileRadius = foot->radius;
                 record.profileAngle = foot->angle;
@@ -173,13 +173,15 @@ DropRecord DropMeasurement::measureDrop
     return record;
 }
 
-// Of a drop that stands upright: with gravity along the axis it is axisymmetric.
+// Of a drop that stands or hangs upright: with gravity along the axis it is axisymmetric.
 std::optional<ProfileFit> DropMeasurement::profileOf(const Drop& drop, const Vector3& centroid) const
 {
     constexpr double upright = 0.9998;          // cosine of one degree
     if (length(gravity_) == 0) return std::nullopt;
-    const Vector3 up = -normalized(gravity_);
-    if (dot(up, wall_->at(centroid).normal) < upright) return std::nullopt;
+    const Vector3 normal = wall_->at(centroid).normal;
+    const bool hangs = dot(gravity_, normal) > 0;
+    const Vector3 up = (hangs ? 1 : -1)*normalized(gravity_);       // off the wall
+    if (dot(up, normal) < upright) return std::nullopt;
 
     const std::vector<double> areas = drop.surface.vertexAreas();
     std::vector<MeridianPoint> points;
@@ -190,7 +192,7 @@ std::optional<ProfileFit> DropMeasurement::profileOf(const Drop& drop, const Vec
         const double height = dot(x - centroid, up);
         points.push_back({length(x - centroid - height*up), height, areas[i]});
     }
-    return fitProfile(points);
+    return fitProfile(points, hangs);
 }
 
 }

@@ -2,9 +2,9 @@
 #include "drops/ProfileFit.H"
 
 #include "maths/LinearSolve.H"
-#include "reference/BashforthAdams.H"
 
 #include <algorithm>
+#include <cmath>
 
 namespace shizuku
 {
@@ -15,12 +15,12 @@ namespace
 constexpr std::size_t unknowns = 3;
 using Unknowns = SmallVector<unknowns>;     // height of the apex in units of the drop's size, ln b, ln l
 
-// The profile up to 180 degrees, searched by the polar angle about a point of its axis: it is convex.
+// The profile, searched by the polar angle about a point of its axis: it is convex.
 class SearchedProfile
 {
 public:
     explicit SearchedProfile(const ProfileFit& fit)
-    : top_(fit.apexHeight), profile_(bashforthAdams(fit.apexRadius, fit.capillaryLength, 180, 401))
+    : top_(fit.apexHeight), profile_(fit.profile(401))
     {
         middle_ = 0.5*profile_.height();
         for (const DropProfilePoint& p : profile_.points) polar_.push_back(std::atan2(p.x, middle_ - p.z));
@@ -47,9 +47,9 @@ private:
 class ProfileSearch
 {
 public:
-    ProfileSearch(const std::vector<MeridianPoint>& points, double size) : points_(points), size_(size) {}
+    ProfileSearch(const std::vector<MeridianPoint>& points, double size, bool hangs) : points_(points), size_(size), hangs_(hangs) {}
 
-    ProfileFit fitOf(const Unknowns& u) const { return {std::exp(u[1]), std::exp(u[2]), size_*u[0]}; }
+    ProfileFit fitOf(const Unknowns& u) const { return {std::exp(u[1]), std::exp(u[2]), size_*u[0], 0, hangs_}; }
 
     double meanSquare(const Unknowns& u) const
     {
@@ -92,6 +92,7 @@ public:
 private:
     const std::vector<MeridianPoint>& points_;
     double size_;                           // of the drop, m
+    bool hangs_;
 };
 
 // A sphere's height at the apex against that half way out, where the drop is a sphere or flatter.
@@ -149,7 +150,12 @@ Minimum descend(const ProfileSearch& search, Unknowns u, double shortest, double
 
 }
 
-std::optional<ProfileFit> fitProfile(const std::vector<MeridianPoint>& points)
+DropProfile ProfileFit::profile(int points) const
+{
+    return hangs ? hangingDrop(apexRadius, capillaryLength, 180, points) : bashforthAdams(apexRadius, capillaryLength, 180, points);
+}
+
+std::optional<ProfileFit> fitProfile(const std::vector<MeridianPoint>& points, bool hangs)
 {
     constexpr std::size_t fewest = 10;
     if (points.size() < fewest) return std::nullopt;
@@ -163,11 +169,12 @@ std::optional<ProfileFit> fitProfile(const std::vector<MeridianPoint>& points)
     if (!(widest > 0)) return std::nullopt;
 
     // A puddle has another minimum where l is as long as the puddle is wide, which is not the least.
-    const ProfileSearch search(points, widest);
+    const ProfileSearch search(points, widest, hangs);
     const double shortest = std::log(widest/30), longest = std::log(10*widest);        // of l
     Unknowns start{apex/widest, std::log(apexRadiusOf(points, apex, widest)), 0};
     Minimum least{{}, HUGE_VAL};
-    for (const double l : {1.0, 0.3, 0.1})
+    const double starts[2][3] = {{1.0, 0.3, 0.1}, {3.0, 1.5, 0.75}};        // one that hangs is no puddle
+    for (const double l : starts[hangs])
     {
         start[2] = std::log(l*widest);
         const Minimum found = descend(search, start, shortest, longest);

@@ -2,7 +2,6 @@
 #include "drops/ProfileFoot.H"
 
 #include "core/angles/Degrees.H"
-#include "reference/BashforthAdams.H"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +13,7 @@ namespace shizuku
 std::optional<ProfileFoot> footOf(const ProfileFit& fit, const Vector3& axis, const Vector3& up, const WallShape& wall)
 {
     constexpr int sides = 8, pieces = 1000;     // an even number: on a wall not quite level opposite sides make up for each other
-    const DropProfile profile = bashforthAdams(fit.apexRadius, fit.capillaryLength, 180, pieces + 1);
+    const DropProfile profile = fit.profile(pieces + 1);
     const Vector3 x = perpendicular(up), y = cross(up, x);
     ProfileFoot foot;
     for (int side = 0; side < sides; ++side)

@@ -42,11 +42,12 @@ auto denseStepper(double smallest)
 class YoungLaplace
 {
 public:
-    YoungLaplace(double apexRadius, double capillaryLength)
+    // gravity: 1 where it presses the drop onto its wall, -1 where it pulls at one that hangs.
+    YoungLaplace(double apexRadius, double capillaryLength, int gravity)
     :
         unit_(1/(1/apexRadius + 1/capillaryLength)),
         apexCurvature_(unit_/apexRadius),
-        gravity_(unit_*unit_/(capillaryLength*capillaryLength))
+        gravity_(gravity*unit_*unit_/(capillaryLength*capillaryLength))
     {}
 
     double unit() const { return unit_; }   // m
@@ -58,23 +59,29 @@ public:
         slope = {std::cos(phi), std::sin(phi), 2*apexCurvature_ + gravity_*z - around, std::numbers::pi*x*x*std::sin(phi)};
     }
 
-    // The arc length at which phi reaches the angle [radians]; phi grows all the way.
+    // The arc length at which phi reaches the angle [radians], or grows no more, as it may in a drop that hangs.
     double lengthTo(double angle) const
     {
+        const auto excess = [&](const State& state)
+        {
+            State slope;
+            (*this)(state, slope, 0);
+            return std::max(state[2] - angle, -slope[2]);
+        };
         auto stepper = denseStepper(apexCurvature_);
         stepper.initialize(State{}, 0, 1e-3);
-        while (stepper.current_state()[2] < angle) stepper.do_step(*this);
-        const auto excess = [&](double s)
-        {
-            State state;
-            stepper.calc_state(s, state);
-            return state[2] - angle;
-        };
-        if (stepper.current_state()[2] == angle) return stepper.current_time();
+        while (excess(stepper.current_state()) < 0) stepper.do_step(*this);
+        if (excess(stepper.current_state()) == 0) return stepper.current_time();
         std::uintmax_t steps = 100;
         const auto [low, high] = roots::toms748_solve
         (
-            excess, stepper.previous_time(), stepper.current_time(), roots::eps_tolerance<double>(50), steps
+            [&](double s)
+            {
+                State state;
+                stepper.calc_state(s, state);
+                return excess(state);
+            },
+            stepper.previous_time(), stepper.current_time(), roots::eps_tolerance<double>(50), steps
         );
         return 0.5*(low + high);
     }
@@ -100,15 +107,25 @@ private:
     double unit_, apexCurvature_, gravity_;
 };
 
-}
-
-DropProfile bashforthAdams(double apexRadius, double capillaryLength, double contactAngle, int points)
+DropProfile profileOf(double apexRadius, double capillaryLength, double contactAngle, int points, int gravity)
 {
     if (!(apexRadius > 0 && std::isfinite(apexRadius))) refuse("a positive radius of its apex", apexRadius);
     if (!(capillaryLength > 0)) refuse("a positive capillary length", capillaryLength);
     if (!(contactAngle > 0 && contactAngle <= 180)) refuse("a contact angle above 0 and up to 180 degrees", contactAngle);
-    const YoungLaplace equation(apexRadius, capillaryLength);
+    const YoungLaplace equation(apexRadius, capillaryLength, gravity);
     return {apexRadius, capillaryLength, equation.points(equation.lengthTo(radians(contactAngle)), points)};
+}
+
+}
+
+DropProfile bashforthAdams(double apexRadius, double capillaryLength, double contactAngle, int points)
+{
+    return profileOf(apexRadius, capillaryLength, contactAngle, points, 1);
+}
+
+DropProfile hangingDrop(double apexRadius, double capillaryLength, double contactAngle, int points)
+{
+    return profileOf(apexRadius, capillaryLength, contactAngle, points, -1);
 }
 
 DropProfile bashforthAdamsWhere

@@ -50,6 +50,22 @@ TEST(ProfileFit, ExactPointsGiveTheExactCapillaryLength)
     }
 }
 
+TEST(ProfileFit, DropsThatHangGiveTheirCapillaryLength)
+{
+    for (const double bond : {0.1, 0.3, 0.5})
+    {
+        for (const double theta : {50.0, 70.0, 90.0, 110.0})
+        {
+            const double l = radius/std::sqrt(bond);
+            const DropProfile exact = hangingDrop(radius, l, theta, 401);
+            const auto fit = fitProfile(pointsOf(exact), true);
+            ASSERT_TRUE(fit) << bond << " " << theta;
+            EXPECT_NEAR(fit->capillaryLength/l, 1, 2e-3) << bond << " " << theta;       // as of those that stand
+            EXPECT_NEAR(fit->apexRadius/exact.apexRadius, 1, 2e-3) << bond << " " << theta;
+        }
+    }
+}
+
 TEST(ProfileFit, MeshesGiveTheSurfaceTension)
 {
     for (const auto& [bond, theta] : {std::pair(0.3, 120.0), {1.0, 60.0}, {3.0, 90.0}})

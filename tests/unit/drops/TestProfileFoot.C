@@ -42,6 +42,23 @@ TEST(ProfileFoot, HasContactRadiusAndAngleOfExactMeshes)
     }
 }
 
+// The picture of a drop that hangs, upside down; the tolerances are those of drops that stand.
+TEST(ProfileFoot, HasThatOfDropsThatHang)
+{
+    const double R = std::cbrt(3*5000*spacing*spacing*spacing/(4*std::numbers::pi));
+    for (const double theta : {50.0, 70.0, 110.0})
+    {
+        const DropProfile exact = hangingDrop(1.3*R, R/std::sqrt(0.2), theta, 101);
+        ASSERT_GT(exact.points.back().phi, 0.99*theta*std::numbers::pi/180) << "no such drop hangs";
+        const auto fit = fitProfile(meridianPoints(revolvedMesh(exact, 0.5*spacing), 1.25*spacing), true);
+        ASSERT_TRUE(fit) << theta;
+        const auto foot = footOf(*fit, {}, {0, 0, 1}, *floorWall);
+        ASSERT_TRUE(foot) << theta;
+        EXPECT_NEAR(foot->radius, exact.contactRadius(), 0.03*spacing) << theta;
+        EXPECT_NEAR(foot->angle, theta, 0.5) << theta;
+    }
+}
+
 // Why tangents do not do: at 1.25 spacings, where they are taken, a puddle's rim is flatter than at the wall.
 TEST(ProfileFoot, TangentsMissAPuddlesRim)
 {
