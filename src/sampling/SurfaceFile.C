@@ -104,6 +104,10 @@ PatchedSurface readSurface(const std::filesystem::path& file, const std::string&
     const std::string extension = boost::algorithm::to_lower_copy(file.extension().string());
     if (extension == ".stl") return readStl(file, unnamed);
     if (extension == ".obj") return readObj(file, unnamed);
+    if (extension == ".gz")
+    {
+        throw FatalInputError({file.string(), 0}, "The surface file is packed", "the file that `gunzip -k` makes of it");
+    }
     if (extension != ".ply" && extension != ".off")
     {
         throw FatalInputError
