@@ -179,7 +179,7 @@ void keepOutOfSolid(std::span<FilledBody> bodies, const SolidParticles& solid, d
             keepOut
             (
                 body, "Liquid inside a solid, the wall '" + solid.patches[patch] + "'",
-                "particles in front of the wall, at least 0.9 spacings from its particles",
+                "particles in front of the wall, where its normals look, at least 0.9 spacings from its particles",
                 [&](std::size_t i) { return patches[i] == patch; }
             );
             std::erase(patches, patch);

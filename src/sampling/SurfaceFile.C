@@ -44,9 +44,9 @@ struct Polygon : LimitedVector<std::size_t>
     Polygon() { most = 1'000'000; }
 };
 
-[[noreturn]] void fail(const std::filesystem::path& file, const std::string& found)
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& found, const std::string& expected = "")
 {
-    throw FatalInputError({file.string(), 0}, found);
+    throw FatalInputError({file.string(), 0}, found, expected);
 }
 
 PatchedSurface readOff(const std::filesystem::path& file, const std::string& unnamed)
@@ -58,7 +58,11 @@ PatchedSurface readOff(const std::filesystem::path& file, const std::string& unn
     try { good = CGAL::IO::read_OFF(file.string(), points, polygons); }
     catch (const std::logic_error&) {}          // lengths beyond these, and what CGAL asserts
     catch (const std::bad_alloc&) {}
-    if (!good || polygons.empty()) fail(file, "The file is no OFF surface, not all of one, or has no face");
+    if (!good || polygons.empty())
+    {
+        fail(file, "The file is no OFF surface, not all of one, or has no face",
+            "a line OFF, a line of the numbers of vertices and faces, a line a vertex, a line a face");
+    }
 
     PatchedSurface surface;
     surface.patches = {unnamed};
@@ -104,6 +108,10 @@ PatchedSurface readSurface(const std::filesystem::path& file, const std::string&
     const std::string extension = boost::algorithm::to_lower_copy(file.extension().string());
     if (extension == ".stl") return readStl(file, unnamed);
     if (extension == ".obj") return readObj(file, unnamed);
+    if (extension == ".gz")
+    {
+        throw FatalInputError({file.string(), 0}, "The surface file is packed", "the file that `gunzip -k` makes of it");
+    }
     if (extension != ".ply" && extension != ".off")
     {
         throw FatalInputError

@@ -261,7 +261,7 @@ const auto primary_def = x3::double_[constant] | ('(' > choice[pass] > ')') | ma
 const auto blank = textCharacters::space | "//" >> *(x3::char_ - x3::eol) | "/*" >> *(x3::char_ - "*/") >> "*/";
 const auto arguments_def = '(' >> -(choice[add] % ',') > ')';
 const auto name_def = x3::lexeme[x3::raw[textCharacters::alpha >> *(textCharacters::alnum | '_')][addName]];
-const auto macro_def = x3::lexeme['$' > ('{' >> x3::raw[+(x3::char_ - '}')][addName] >> '}'
+const auto macro_def = x3::lexeme['$' > -x3::lit("<scalar>") > ('{' >> x3::raw[+(x3::char_ - '}')][addName] >> '}'
     | x3::raw[+(textCharacters::alnum | x3::char_("_.:"))][addName])];
 
 BOOST_SPIRIT_DEFINE(choice, either, both, equality, order, sum, product, sign, power, primary, arguments, name,

@@ -243,7 +243,7 @@ const x3::rule<class MacroTag, Tree> macro = "macro";
 const x3::rule<class DirectiveTag, Tree> directive = "directive";
 const x3::rule<class CodeTag, Tree> code = "{..}";
 constexpr BalancedText nested('{', '}');
-constexpr BalancedText arguments('(', ')');                                 // of a function, blanks within them
+constexpr BalancedText arguments('(', ')');                                 // of a function, blanks before and within them
 const x3::rule<class FunctionCallTag, Tree> functionCall = "name(..)";
 
 const auto number_def = located(lexeme[raw[numberText][token<NodeKind::number>]]);
@@ -255,7 +255,7 @@ const auto dimensions_def = located(lexeme['[' >> raw[*(char_ - ']')][token<Node
 const auto macro_def = located(lexeme['$' >>
     ('{' >> raw[+(nested | (char_ - char_("{}")))][token<NodeKind::macro>] >> '}'
     | raw[wordText][token<NodeKind::macro>])]);
-const auto functionCall_def = located(lexeme[raw[wordText >> -(*textCharacters::blank >> arguments)][token<NodeKind::word>]]);
+const auto functionCall_def = located(lexeme[raw[wordText >> -(*textCharacters::space >> arguments)][token<NodeKind::word>]]);
 const auto code_def = located(lexeme['{' >> raw[*(nested | (char_ - char_("{}")))][token<NodeKind::verbatim>] >> '}']);
 
 // ---- Values
@@ -275,10 +275,10 @@ const auto directiveName = [](auto name) { return lexeme['#' >> raw[name >> !tex
 const auto branchName = (lit("ifeq") | "if" | "else" | "endif") >> !textCharacters::alnum;
 const auto directive_def = located
 (
-    directiveName(lit("ifeq")) >> item[addItem] >> item[addItem]
+    directiveName(lit("ifeq")) >> (list[addItem] | item[addItem] >> item[addItem])
     | directiveName(lit("if")) >> item[addItem]
     | directiveName(lit("else") | "endif")
-    | directiveName(lit("includeFunc")) >> (functionCall[addItem] | item[addItem])
+    | directiveName(lit("includeFunc") | "includeConstraint" | "includeModel") >> (functionCall[addItem] | item[addItem])
     | lexeme['#' >> !branchName >> raw[+textCharacters::alnum][token<NodeKind::directive>]] >> -(code[addItem] | item[addItem])
 );
 struct ItemTag {};

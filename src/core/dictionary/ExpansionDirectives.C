@@ -48,11 +48,18 @@ double numberOf(const Tree& token)
     const std::vector<std::string>& choices)
 {
     const NodeData& data = directive.data();
-    if (data.text == "includeFunc" || data.text == "codeStream")
+    // What OpenFOAM has for it, and what to write instead.
+    static const std::map<std::string, std::pair<std::string, std::string>> foreign
     {
-        throw FatalInputError(data.where, "#" + data.text + " needs OpenFOAM's own "
-            + (data.text == "codeStream" ? "compiler run" : "function files"),
-            data.text == "codeStream" ? "a value, or #calc" : "the function written out: name { type ...; }");
+        {"codeStream", {"compiler run", "a value, or #calc"}},
+        {"includeFunc", {"function files", "the function written out: name { type ...; }"}},
+        {"includeConstraint", {"files of constraints", "the dictionary written out: name { type ...; }"}},
+        {"includeModel", {"files of models", "the dictionary written out: name { type ...; }"}}
+    };
+    if (const auto found = foreign.find(data.text); found != foreign.end())
+    {
+        throw FatalInputError(data.where, "#" + data.text + " needs OpenFOAM's own " + found->second.first,
+            found->second.second);
     }
     throw FatalInputError(data.where, "#" + data.text + " is unknown " + place, "one of the directives below",
         choices, data.text);
@@ -107,8 +114,16 @@ Tree Expansion::operandOf(const Tree& conditional, const Tree& item)
 
 bool Expansion::holds(const Tree& conditional)
 {
+    const bool bracketed = conditional.size() == 1 && conditional.front().second.data().kind == NodeKind::list;
+    const Tree& sides = bracketed ? conditional.front().second : conditional;
+    const std::size_t expected = conditional.data().text == "ifeq" ? 2 : 1;
+    if (sides.size() != expected)
+    {
+        throw FatalInputError(conditional.data().where, "#" + conditional.data().text + " is followed by "
+            + std::to_string(sides.size()) + " values", std::to_string(expected));
+    }
     std::vector<Tree> operands;
-    for (const auto& [key, item] : conditional) operands.push_back(operandOf(conditional, item));
+    for (const auto& [key, item] : sides) operands.push_back(operandOf(conditional, item));
     const auto isNumber = [](const Tree& operand) { return operand.data().kind == NodeKind::number; };
 
     const Tree& first = operands.front();

@@ -45,9 +45,12 @@ Tree Expansion::resolve(const std::string& name, const SourceLocation& where)
     }
     if (const char* value = std::getenv(key.c_str())) return parseItems(SourceText(value, "$" + key));
     if (fallback != std::string::npos) return parseItems(SourceText(name.substr(fallback + 2), where.file));
+    const bool ofAnotherFile = key.find('!', 1) != std::string::npos;          // $file!name
     throw FatalInputError
     (
-        where, "Undefined macro $" + key, "an entry that stands before, or a variable of the environment",
+        where, "Undefined macro $" + key,
+        ofAnotherFile ? "an entry of this file; another file's after #include of that file"
+            : "an entry that stands before, or a variable of the environment",
         scope_.visible(), key
     );
 }

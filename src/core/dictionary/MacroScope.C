@@ -65,7 +65,7 @@ Tree* MacroScope::find(const std::string& name, const SourceLocation& where) con
 
 Tree* MacroScope::findWithin(const std::string& name, std::size_t& ways) const
 {
-    if (name.starts_with(':') || name.starts_with('/')) return findFrom(0, name.substr(1), ways);
+    if (name.find_first_of(":/!") == 0) return findFrom(0, name.substr(1), ways);
 
     std::size_t level = levels_.size() - 1;
     if (name.starts_with('.'))

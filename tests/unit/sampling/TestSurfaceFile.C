@@ -17,6 +17,12 @@ TEST(OffFile, facesAndCommentsAreRead)
     EXPECT_EQ(quad.mesh.faces.size(), 2u);
 }
 
+TEST(SurfaceFile, packedIsToldToBeUnpacked)
+{
+    const ScratchFolder folder;
+    EXPECT_TRUE(holds(messageOf([&] { readSurface(folder.write("a.stl.gz", "packed"), "wall"); }), {"a.stl.gz", "packed", "gunzip -k"}));
+}
+
 // Believed, each of these takes gigabytes and seconds: they are refused in milliseconds, and in a second on a busy machine.
 TEST(OffFile, lengthsThatTheFileHasNoRoomForAreRefusedAtOnce)
 {

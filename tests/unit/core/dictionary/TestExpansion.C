@@ -42,7 +42,7 @@ TEST(Macro, FindsItsScope)
         "outer\n{\n    x middle; sibling { s 2; }\n"
         "    inner\n    {\n        x here;\n"
         "        plain $x; own $.x; parent $..x; grand $...x; slash ${../x}; far ${../../x}; top $:x;\n"
-        "        dots $:a.b.c; slashes $:a/b/c; aside $sibling.s; "
+        "        dots $:a.b.c; slashes $:a/b/c; marked $!a/b/c; aside $sibling.s; "
         "open $:outer.sibling.s; back $..sibling.s;\n    }\n}\n"
     );
     const Dictionary inner = dict.subDict("outer").subDict("inner");
@@ -56,6 +56,7 @@ TEST(Macro, FindsItsScope)
     EXPECT_EQ(word("top"), "top");
     EXPECT_EQ(word("dots"), "1");
     EXPECT_EQ(word("slashes"), "1");
+    EXPECT_EQ(word("marked"), "1");
     EXPECT_EQ(word("aside"), "2");
     EXPECT_EQ(word("open"), "2");
     EXPECT_EQ(word("back"), "2");
@@ -255,13 +256,15 @@ TEST(Conditional, ChoosesOneBranch)
         "#if off\n  never 1;\n#else\n  always 1;\n#endif\n"
         "#ifeq 3.0 $n\n  same 1;\n#endif\n"
         "#ifeq \"${fluid}_$n\" water_3\n  joined 1;\n#endif\n"
+        "#ifeq ($!fluid water )\n  bracketed 1;\n#endif\n"
+        "#if (#calc \"$<scalar>n < 4\")\n  few yes;\n#endif\n"
     );
     EXPECT_EQ(dict.lookup<double>("rho"), 998);
     EXPECT_EQ(dict.subDict("walls").lookup<double>("theta"), 60);
     EXPECT_EQ
     (
         dict.keys(),
-        (std::vector<std::string>{"fluid", "n", "rho", "walls", "many", "always", "same", "joined"})
+        (std::vector<std::string>{"fluid", "n", "rho", "walls", "many", "always", "same", "joined", "bracketed", "few"})
     );
 }
 
@@ -283,6 +286,8 @@ TEST(Conditional, RefusesWhatDoesNotPair)
     EXPECT_EQ(refusalOfText("#if yes\n#else\n#else\n#endif\n").line, 3);
     EXPECT_EQ(refusalOfText("a 1;\nb\n{\n#if yes\nc 1;\n}\n#endif\n").line, 4);
     EXPECT_EQ(refusalOfText("a 1;\n#if (1 2)\n#endif\n").line, 2);
+    EXPECT_EQ(refusalOfText("a 1;\n#ifeq (1 1 1)\n#endif\n").line, 2);
+    EXPECT_EQ(refusalOfText("a 1;\n#ifeq ()\n#endif\n").line, 2);
     EXPECT_EQ(refusalOfText("a 1;\n#if perhaps\n#endif\n").line, 2);
 }
 
@@ -293,7 +298,8 @@ TEST(Directive, UnknownIsRefused)
     EXPECT_TRUE(holds(statement.message, {"#inclde", "Did you mean 'include'?"}));
     EXPECT_EQ(refusalOfText("a 1;\nb #codeStream { code #{ x #}; };\n").line, 2);
     EXPECT_EQ(refusalOfText("a 1;\n#include\n").line, 2);
-    for (const std::string function : {"mag(U)", "average (name = inlet, fields = (p U))", "\"file\""})
+    for (const std::string function : {"mag(U)", "average (name = inlet, fields = (p U))", "\"file\"",
+        "size\n(\n    name=n,\n    type=volume\n)"})
     {
         const Refusal call = refusalOfText("functions\n{\n    #includeFunc " + function + "\n    a 1;\n}\n");
         EXPECT_EQ(call.line, 3) << function;
@@ -356,6 +362,7 @@ TEST(Calc, KnowsFunctions)
     EXPECT_EQ(value("sinh(1) + cosh(1)"), std::sinh(1.0) + std::cosh(1.0));
     EXPECT_EQ(value("tanh(1)"), std::tanh(1.0));
     EXPECT_EQ(value("$two*${two}/ $two"), 2);
+    EXPECT_EQ(value("3*$<scalar>two - $<scalar>{two}"), 4);
 }
 
 TEST(Calc, IfEvaluatesOnlyTheChosenSide)
