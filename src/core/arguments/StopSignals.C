@@ -33,10 +33,12 @@ void handle(int signal, void (*handler)(int))
     ::sigaction(signal, &action, nullptr);
 }
 
+// A second one may come to another thread while this runs: then it ends the run as soon as its handler does.
 void note(int signal)
 {
-    noted = signal;
+    const bool isSecond = noted.exchange(signal) != 0;
     for (const int each : signals) handle(each, SIG_DFL);
+    if (isSecond) ::raise(signal);
 }
 
 }

@@ -4,6 +4,8 @@
 #include "SolverCase.H"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 #include <csignal>
 
 namespace shizuku::test
@@ -71,6 +73,7 @@ TEST_P(Signals, ASecondOneEndsTheRunAtOnce)
     Process process(command("pbfDroplet", ""), folder_.path()/"log");
     ASSERT_TRUE(process.runUntil([&] { return process.log().find("Ready for the first step") != std::string::npos; })) << process.log();
     process.send(SIGINT);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));        // which of two at once is the second nobody knows
     EXPECT_EQ(process.end(SIGTERM), 128 + SIGTERM) << process.log();
     EXPECT_EQ(lastTime(), "0");
 }
