@@ -21,15 +21,14 @@ using IndexList = std::vector<std::uint32_t>;
 struct NotOfPart
 {
     CellGridView grid;
-    RowCut cut;
-    int low, high;
+    OwnRows own;
     Span<const Position> x;
     Span<std::uint8_t> is;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const int row = cut.rowOf(grid.cellPlace(x[i]));
-        is[i] = row < low || row >= high;
+        const CellPlace cell = grid.cellPlace(x[i]);
+        is[i] = !own.has(cell.y, cell.z);
     }
 };
 
@@ -219,9 +218,8 @@ int PartsOfLiquid::choose(const Is& is, Buffer<std::uint8_t>& chosen)
 
 PartsOfLiquid::Leaving PartsOfLiquid::leaving(const Liquid& liquid, const CellGridView& grid)
 {
-    const int part = liquid.parts().part();
     Buffer<std::uint8_t> is(liquid.owned());
-    const int count = choose(NotOfPart{grid, cut_, cut_.low(part), cut_.high(part), liquid.predicted.span(), is.span()}, is);
+    const int count = choose(NotOfPart{grid, cut_.rowsOf(liquid.parts().part()), liquid.predicted.span(), is.span()}, is);
     Leaving leaving;
     leaving.indices.resize(count);
     selection_.indices.download(leaving.indices.data(), count);
