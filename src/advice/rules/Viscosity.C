@@ -8,7 +8,7 @@
 //
 //     nu_XSPH = c s^2/(2 dt),    s^2 = 3/40 h^2
 //
-// instead (doc/notebook/theory/viscosity.md), whatever the liquid's nu is.
+// instead (doc/notebook/theory/viscosity.md), whatever the liquid's nu is; where that changes the answer newtonian is the better one.
 
 #include "advice/Rule.H"
 #include "reference/DropOscillation.H"
@@ -49,27 +49,28 @@ public:
             "Lamb 1881; src/advice/rules/Viscosity.C"
         };
         const std::string model = scene.models.at("viscosity");
-        if (model == "XSPH")
+        const bool isXSPH = model == "XSPH";
+        if (isXSPH)
         {
             advice.reason += "; XSPH takes " + percent(smoothed) + " (nu_XSPH = " + number(smoothing) + " m2/s)";
             advice.source += ", doc/notebook/theory/viscosity.md";
         }
         std::string better = model;
         const bool own = model == "laminar" || model == "newtonian";
-        if (effect <= scene.tolerance && (own || (model == "XSPH" && smoothed <= scene.tolerance)))
+        if (effect <= scene.tolerance && (own || (isXSPH && smoothed <= scene.tolerance)))
         {
             better = "none";
             advice.verdict = "leave out";
         }
-        else if (effect > scene.tolerance && (model == "none" || (model == "XSPH" && nu > smoothing)))
+        else if (model == "none" && effect > scene.tolerance)
         {
             better = "newtonian";
-            advice.verdict = model == "none" ? "switch on: the scene needs it"
-                                             : "take newtonian: the liquid is thicker than XSPH makes it";
+            advice.verdict = "switch on: the scene needs it";
         }
-        else if (model == "XSPH" && smoothed - effect > scene.tolerance)
+        else if (isXSPH && std::abs(smoothed - effect) > scene.tolerance)
         {
-            advice.verdict = "keep, for what is at rest: what swings is damped too much, and wants newtonian with velocityFilter affine";
+            better = "newtonian";
+            advice.verdict = smoothed > effect ? "take newtonian: XSPH damps more than the liquid does" : "take newtonian: the liquid is thicker than XSPH makes it";
         }
         if (better != model) advice.changes = {{"constant/models", "viscosity", better}};
         if (better == "newtonian" && model != better) calm(scene, advice);

@@ -139,9 +139,9 @@ TEST_P(Continuation, OfPbf)
     expectContinuationFromEachTime();
 }
 
-TEST_P(Continuation, OfNewtonianLiquid)
+TEST_P(Continuation, OfXSPH)
 {
-    choose("newtonian", "coarseGrid yes;");
+    choose("XSPH");
     expectContinuationFromEachTime();
 }
 

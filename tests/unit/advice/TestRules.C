@@ -149,10 +149,13 @@ TEST_F(RuleTest, viscosityInTheTimeOfTheRun)
     // XSPH is as thick as c (3/40) h^2/(2 dt).
     scene_.models["viscosity"] = "XSPH";
     const double smoothing = 0.2*3.0/40*4e-8/(2*2e-5);
-    scene_.viscosity = smoothing*(1 - close);
-    EXPECT_EQ(changes(ask("viscosity", 1e-3)), "");
-    scene_.viscosity = smoothing*(1 + close);
+    const double more = std::exp(-5*1e-6*scene_.duration/(R*R)) - std::exp(-5*smoothing*scene_.duration/(R*R));
+    EXPECT_EQ(changes(ask("viscosity", more*(1 - close))), newtonian);
+    EXPECT_EQ(changes(ask("viscosity", more*(1 + close))), "");
+    scene_.viscosity = 10*smoothing;                    // of a thick liquid it takes too little
     EXPECT_EQ(changes(ask("viscosity", 1e-3)), newtonian);
+    scene_.viscosity = smoothing;
+    EXPECT_EQ(changes(ask("viscosity", 1e-3)), "");
     // With a share of a capillary step, sqrt(1e-9/(2 pi 0.07)) s = 4.768e-5 s, of which this step is 0.4194: 1 - 0.5^0.4194 = 0.2523.
     scene_.smoothingPerCapillaryStep = 0.5;
     EXPECT_NEAR(scene_.modelViscosity(), smoothing*0.2523/0.2, 1e-4*smoothing);
@@ -403,7 +406,7 @@ TEST_F(RuleTest, laterRulesSeeWhatEarlierOnesChanged)
     {
         if (!advice.changes.empty()) text += advice.rule + " ";
     }
-    EXPECT_EQ(text, "iterations ");
+    EXPECT_EQ(text, "viscosity iterations ");
     scene_.tolerance = typical(60, 1000, 0.7)*(1 + close);
     scene_.maxIterations = 8;
     text = "";

@@ -202,11 +202,20 @@ TEST(TestParts, DefaultHasTheBitsOfTheWhole)
     expectSameBits({"default", "", false, true, 12}, {2, 3});
 }
 
-// Water in steps that take the stress as it is; a liquid for which it is solved, with sums over all parts.
-TEST(TestParts, LiquidsWithTheirOwnViscosityHaveTheBitsOfTheWhole)
+// Of water the step takes the stress as it is; of a thick liquid it is solved for, with sums over all parts.
+TEST(TestParts, ThickLiquidHasTheBitsOfTheWhole)
 {
-    expectSameBits({"newtonian", "affineCoeffs { keepsTurns yes; }", true, false, 12}, {2, 3});
-    expectSameBits({"newtonian", "", false, true, 12, "1e-3"}, {2, 3});
+    expectSameBits({"default", "", false, true, 12, "1e-3"}, {2, 3});
+}
+
+TEST(TestParts, WhatKeepsTurnsHasTheBitsOfTheWhole)
+{
+    expectSameBits({"default", "affineCoeffs { keepsTurns yes; }", true, false, 12}, {2, 3});
+}
+
+TEST(TestParts, XSPHHasTheBitsOfTheWhole)
+{
+    expectSameBits({"XSPH", "", true, false, 12}, {2, 3});
 }
 
 TEST(TestParts, PbfHasTheBitsOfTheWhole)

@@ -110,7 +110,7 @@ std::vector<std::array<std::int64_t, 3>> waysOf(const std::string& set, int x, i
 // To the bit: pairs are differences of quanta, and cells have the same order.
 TEST(SubStep, IsTheSameFarAway)
 {
-    for (const std::string set : {"default", "Fujisawa2014", "newtonian"})
+    for (const std::string set : {"default", "Fujisawa2014", "XSPH"})
     {
         const auto here = waysOf(set, 0, 0);
         for (const auto& [x, y] : {std::pair{1, 0}, {0, -3}, {40, 500}}) EXPECT_EQ(waysOf(set, x, y), here) << set << ' ' << x << ' ' << y;
@@ -283,7 +283,7 @@ TEST(SubStep, KeepsWhatTurnsWhereItIsAskedTo)
     const auto kept = [&](const std::string& keepsTurns)
     {
         LiquidCase drop;
-        const auto folder = std::filesystem::path(std::getenv("SHIZUKU_DIR")) / "tests/validation/models/newtonian";
+        const auto folder = std::filesystem::path(std::getenv("SHIZUKU_DIR")) / "tests/validation/models/default";
         drop.folder.write
         (
             "constant/models", "#include \"" + (folder / "models").string() + "\"\nbodyForce none; affineCoeffs { keepsTurns " + keepsTurns + "; }\n"

@@ -27,7 +27,7 @@
 //     pressure
 //     {
 //         ordering        1.2;            // o, from 1 to 4
-//         orderRemoved    0.7;            // r of OrderStress.H, from 0 to 1
+//         orderRemoved    1;              // r of OrderStress.H, from 0 to 1
 //         coarseGrid      no;             // yes: takes compression out over the whole depth at once (CoarseCorrection.H)
 //         alongSurfaces   no;             // yes: completes the pressure's gradient along surfaces and walls (TangentialGradient.H); where
 //                                         // nothing is said it does with surfaceTension laplacePressure
@@ -160,7 +160,7 @@ public:
     :
         controls_(PressureControls::read(controls, liquid)),
         ordering_(scalar(controls.lookupOr("ordering", 1.2))),
-        orderRemoved_(scalar(controls.lookupOr("orderRemoved", 0.7))),
+        orderRemoved_(scalar(controls.lookupOr("orderRemoved", 1.0))),
         limits_(controls_),
         surface_(surface),
         plane_(tabulateHalfSpace(liquid.kernel())),

@@ -62,7 +62,7 @@ TEST(OrderStress, IsTakenOutOfThePressure)
         }
         const double third = (D[0][0] + D[1][1] + D[2][2]) / 3;
         for (int a = 0; a < 3; ++a) D[a][a] -= third;
-        for (auto& row : D) for (double& value : row) value *= 0.7 * std::max(p[i], scalar(0));
+        for (auto& row : D) for (double& value : row) value *= std::max(p[i], scalar(0));
         stress[i] = D;
     }
     int compared = 0;
