@@ -81,10 +81,9 @@ set(SHIZUKU_DEVICE_SOURCES
     models/viscosity/laminar/Laminar.C
     models/viscosity/newtonian/Newtonian.C
     models/smoothing/SmoothingControls.C
-    models/velocityFilter/VelocityFilter.C
-    models/velocityFilter/none/none.C
-    models/velocityFilter/affine/Affine.C
-    models/velocityFilter/affine/TurningForces.C
+    models/velocityCorrection/VelocityCorrection.C
+    models/velocityCorrection/none/none.C
+    models/velocityCorrection/keepsTurns/KeepsTurns.C
     models/bodyForce/BodyForce.C
     models/bodyForce/none/none.C
     models/bodyForce/gravity/Gravity.C

@@ -17,6 +17,7 @@ set(SHIZUKU_DEVICE_TESTS
     maths/TestCohesionSpline.C
     maths/TestKernel.C
     maths/TestPackedDeviator.C
+    maths/TestPackedRows.C
     maths/TestSymmTensor.C
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C
@@ -45,7 +46,6 @@ set(SHIZUKU_DEVICE_TESTS
     models/surfaceTension/pairTension/TestPairTension.C
     models/surfaceTension/surfaceCurvature/TestCurvatureAtStart.C
     models/surfaceTension/surfaceCurvature/TestRegressedCurvature.C
-    models/velocityFilter/affine/TestAffine.C
     models/viscosity/TestMomentum.C
     models/viscosity/XSPH/TestXSPH.C
     models/viscosity/laminar/TestLaminar.C

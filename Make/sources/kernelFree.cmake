@@ -37,8 +37,8 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     models/particleShifting/none/none.C
     models/viscosity/Viscosity.C
     models/viscosity/none/none.C
-    models/velocityFilter/VelocityFilter.C
-    models/velocityFilter/none/none.C
+    models/velocityCorrection/VelocityCorrection.C
+    models/velocityCorrection/none/none.C
     models/bodyForce/BodyForce.C
     models/bodyForce/none/none.C
     models/bodyForce/gravity/Gravity.C

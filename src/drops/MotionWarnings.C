@@ -35,7 +35,7 @@ std::vector<std::string> motionWarnings(const std::string& model, const std::vec
         if (speed < turning*capillarySpeed(liquid.surfaceTension, liquid.density, body.volume)) continue;
         std::ostringstream text;
         text << "body " << i + 1 << " of " << bodies.size() << " turns at " << length(body.angularVelocity)
-             << " rad/s, which viscosity XSPH soon stops\n    viscosity newtonian with velocityFilter affine lets liquid turn";
+             << " rad/s, which viscosity XSPH soon stops\n    viscosity newtonian lets liquid turn, longest with velocityCorrection keepsTurns";
         warnings.push_back(text.str());
         break;                          // one tells of all
     }

@@ -28,7 +28,7 @@ std::string paragraph(const std::string& heading)
 std::string modelList()
 {
     return paragraph<PressureTable>("pressure") + paragraph<SurfaceTensionTable>("surfaceTension") + paragraph<WettingTable>("wetting") +
-        paragraph<ViscosityTable>("viscosity") + paragraph<VelocityFilterTable>("velocityFilter") +
+        paragraph<ViscosityTable>("viscosity") + paragraph<VelocityCorrectionTable>("velocityCorrection") +
         paragraph<ParticleShiftingTable>("particleShifting") + paragraph<BodyForceTable>("bodyForce") +
         paragraph<FunctionObjectTable>("functions (system/controlDict)");
 }

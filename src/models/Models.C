@@ -13,7 +13,7 @@ namespace
 void toleratePassiveCoefficients(const Dictionary& models)
 {
     std::vector<std::string> known;
-    for (const auto& words : {SurfaceTensionTable::words(), WettingTable::words(), VelocityFilterTable::words(), ViscosityTable::words(),
+    for (const auto& words : {SurfaceTensionTable::words(), WettingTable::words(), VelocityCorrectionTable::words(), ViscosityTable::words(),
                               ParticleShiftingTable::words()})
     {
         for (const std::string& word : words) known.push_back(word + "Coeffs");
@@ -21,7 +21,7 @@ void toleratePassiveCoefficients(const Dictionary& models)
     const std::vector<std::string> chosen
     {
         models.lookup<std::string>("surfaceTension") + "Coeffs", models.lookup<std::string>("wetting") + "Coeffs",
-        models.lookup<std::string>("viscosity") + "Coeffs", models.lookupOr<std::string>("velocityFilter", "none") + "Coeffs",
+        models.lookup<std::string>("viscosity") + "Coeffs", models.lookupOr<std::string>("velocityCorrection", "none") + "Coeffs",
         models.lookupOr<std::string>("particleShifting", "none") + "Coeffs"
     };
     const auto contains = [](const auto& list, const std::string& key)
@@ -43,7 +43,7 @@ Models::Models(const std::filesystem::path& casePath, const Dictionary& solution
     bodyForce(BodyForce::New(dict, casePath / "constant", liquid)),
     forces(dict, liquid, walls, *freeSurface),
     pressure(Pressure::New(dict, solution, liquid, walls, *freeSurface)),
-    velocityFilter(VelocityFilter::New(dict, liquid)),
+    velocityCorrection(VelocityCorrection::New(dict, liquid)),
     viscosity(Viscosity::New(dict, liquid)),
     particleShifting(ParticleShifting::New(dict, liquid, walls, *freeSurface))
 {
@@ -68,7 +68,7 @@ void Models::refuseParts() const
     refuse("pressure", *pressure);
     refuse("surfaceTension", forces.tension());
     refuse("wetting", forces.wetting());
-    refuse("velocityFilter", *velocityFilter);
+    refuse("velocityCorrection", *velocityCorrection);
     refuse("viscosity", *viscosity);
     refuse("particleShifting", *particleShifting);
 }

@@ -53,7 +53,7 @@ void SubStep::begin(scalar dt)
 {
     models_.bodyForce->predict(liquid_, dt);
     search(liquid_, near_, walls_, models_);
-    models_.velocityFilter->begin(liquid_);
+    models_.velocityCorrection->begin(liquid_);
     applyForces(dt);
     begun_ = dt;
 }
@@ -84,7 +84,7 @@ void SubStep::operator()(scalar dt)
         models_.freeSurface->support(), dt
     );
     models_.forces.endStep();
-    models_.velocityFilter->apply(liquid_, near_, walls_, dt);
+    models_.velocityCorrection->apply(liquid_, near_, walls_, dt);
     models_.viscosity->apply(liquid_, near_, walls_, dt);
     models_.particleShifting->apply(liquid_, near_, walls_);
 }

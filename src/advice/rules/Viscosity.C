@@ -27,7 +27,6 @@ class Viscosity : public AdviceRule
     static void calm(const Scene& scene, Advice& advice)
     {
         if (!scene.hasTension()) return;
-        advice.changes.push_back({"constant/models", "velocityFilter", "affine"});
         if (scene.models.at("surfaceTension") == "laplacePressure")
         {
             advice.changes.push_back({"constant/models", "laplacePressureCoeffs/curvatureAt", "start"});

@@ -143,7 +143,7 @@ TEST_F(RuleTest, viscosityInTheTimeOfTheRun)
     EXPECT_EQ(changes(ask("viscosity", effect*(1 - close))), "");
     EXPECT_EQ(changes(ask("viscosity", effect*(1 + close))), "viscosity=none");
     scene_.models["viscosity"] = "none";
-    const std::string newtonian = "viscosity=newtonian velocityFilter=affine laplacePressureCoeffs/curvatureAt=start pressure/orderRemoved=1";
+    const std::string newtonian = "viscosity=newtonian laplacePressureCoeffs/curvatureAt=start pressure/orderRemoved=1";
     EXPECT_EQ(changes(ask("viscosity", effect*(1 - close))), newtonian);
     EXPECT_EQ(changes(ask("viscosity", effect*(1 + close))), "");
     // XSPH is as thick as c (3/40) h^2/(2 dt).

@@ -98,7 +98,7 @@ TEST(MotionWarnings, tellWhatTheViscosityDoesNotDo)
         return all;
     };
     EXPECT_EQ(warnings("XSPH", still, 1e-6), "");
-    EXPECT_TRUE(holds(warnings("XSPH", turning, 1e-6), {"body 1 of 1 turns at 30 rad/s", "newtonian with velocityFilter affine"}));
+    EXPECT_TRUE(holds(warnings("XSPH", turning, 1e-6), {"body 1 of 1 turns at 30 rad/s", "viscosity newtonian lets liquid turn"}));
     EXPECT_TRUE(holds(warnings("XSPH", still, 1e-3), {"nu, 0.001 m2/s, does not act with viscosity XSPH"}));
     EXPECT_TRUE(holds(warnings("none", turning, 1e-3), {"does not act with viscosity none"}));
     EXPECT_EQ(warnings("newtonian", turning, 1e-3) + warnings("laminar", turning, 1e-3), "");

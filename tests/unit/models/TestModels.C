@@ -43,7 +43,7 @@ TEST(Models, HaveTheirWords)
     EXPECT_EQ(SurfaceTensionTable::words(), (Words{"Akinci2013", "Becker2007", "Fujisawa2014", "Kondo2007", "Mueller2003", "Tartakovsky2005", "continuumSurfaceForce", "laplacePressure", "none"}));
     EXPECT_EQ(WettingTable::words(), (Words{"Akinci2013", "adhesionRatio", "contactAngle", "extendedSurface", "none"}));
     EXPECT_EQ(ViscosityTable::words(), (Words{"XSPH", "laminar", "newtonian", "none"}));
-    EXPECT_EQ(VelocityFilterTable::words(), (Words{"affine", "none"}));
+    EXPECT_EQ(VelocityCorrectionTable::words(), (Words{"keepsTurns", "none"}));
     EXPECT_EQ(BodyForceTable::words(), (Words{"gravity", "none"}));
     EXPECT_EQ(ParticleShiftingTable::words(), (Words{"closePairs", "none"}));
 }
@@ -88,9 +88,9 @@ TEST(Models, AreMadeByEveryWord)
     {
         EXPECT_NE(Viscosity::New(choosing("viscosity", word), drop.liquid), nullptr) << word;
     }
-    for (const auto& word : VelocityFilterTable::words())
+    for (const auto& word : VelocityCorrectionTable::words())
     {
-        EXPECT_NE(VelocityFilter::New(choosing("velocityFilter", word), drop.liquid), nullptr) << word;
+        EXPECT_NE(VelocityCorrection::New(choosing("velocityCorrection", word), drop.liquid), nullptr) << word;
     }
     for (const auto& word : ParticleShiftingTable::words())
     {
@@ -120,8 +120,8 @@ TEST(Models, OfAnUnknownWordListTheChoices)
                       {"Unknown wetting model 'angle'", "Akinci2013", "contactAngle", "none"}));
     EXPECT_TRUE(holds(messageOf([&] { Viscosity::New(choosing("viscosity", "xsph"), drop.liquid); }),
                       {"Unknown viscosity model 'xsph'", "Did you mean 'XSPH'?", "laminar", "none"}));
-    EXPECT_TRUE(holds(messageOf([&] { VelocityFilter::New(choosing("velocityFilter", "afine"), drop.liquid); }),
-                      {"Unknown velocityFilter model 'afine'", "Did you mean 'affine'?", "none"}));
+    EXPECT_TRUE(holds(messageOf([&] { VelocityCorrection::New(choosing("velocityCorrection", "keepTurns"), drop.liquid); }),
+                      {"Unknown velocityCorrection model 'keepTurns'", "Did you mean 'keepsTurns'?", "none"}));
     EXPECT_TRUE(holds(messageOf([&] { ParticleShifting::New(choosing("particleShifting", "pairs"), drop.liquid, drop.walls, drop.surface); }),
                       {"Unknown particleShifting model 'pairs'", "closePairs", "none"}));
     EXPECT_TRUE(holds(messageOf([&] { BodyForce::New(choosing("bodyForce", "gravitiy"), constant, drop.liquid); }),
@@ -138,7 +138,7 @@ TEST(Models, ThatAreOffLaunchAndAllocateNothing)
     const auto bodyForce = BodyForce::New(none, drop.folder.path() / "constant", drop.liquid);
     InterParticleForces forces(none, drop.liquid, drop.walls, drop.surface);
     const auto pressure = Pressure::New(none, Dictionary(), drop.liquid, drop.walls, drop.surface);
-    const auto filter = VelocityFilter::New(none, drop.liquid);
+    const auto filter = VelocityCorrection::New(none, drop.liquid);
     const auto viscosity = Viscosity::New(none, drop.liquid);
     const auto shifting = ParticleShifting::New(none, drop.liquid, drop.walls, drop.surface);
     bodyForce->predict(drop.liquid, 0.01f);

@@ -210,7 +210,7 @@ TEST(TestParts, ThickLiquidHasTheBitsOfTheWhole)
 
 TEST(TestParts, WhatKeepsTurnsHasTheBitsOfTheWhole)
 {
-    expectSameBits({"default", "affineCoeffs { keepsTurns yes; }", true, false, 12}, {2, 3});
+    expectSameBits({"default", "velocityCorrection keepsTurns;", true, false, 12}, {2, 3});
 }
 
 TEST(TestParts, XSPHHasTheBitsOfTheWhole)

@@ -179,7 +179,7 @@ TEST(Restart, HasTheSameBitsForTheDefaultAtAnalyticWallsAndWithAllThatItMayHave)
 // A plane across the way of the drop, askew to its rows: particles leave before and after the restart, and none comes back.
 TEST(Restart, HasTheSameBitsWhereLiquidIsTakenOut)
 {
-    for (const std::string set : {"default", "newtonian", "Fujisawa2014"})
+    for (const std::string set : {"default", "XSPH", "Fujisawa2014"})
     {
         const Chosen chosen{.set = set, .outlets = "out { type plane; point (3e-3 0 4.4e-3); normal (1 0.31 0.17); }", .speed = 0.5f};
         Drop first(chosen), whole(chosen);

@@ -280,13 +280,13 @@ TEST(SubStep, KeepsWhatTurnsWhereItIsAskedTo)
 {
     constexpr int steps = 30;
     constexpr double perStep = 0.05;
-    const auto kept = [&](const std::string& keepsTurns)
+    const auto kept = [&](const std::string& correction)
     {
         LiquidCase drop;
         const auto folder = std::filesystem::path(std::getenv("SHIZUKU_DIR")) / "tests/validation/models/default";
         drop.folder.write
         (
-            "constant/models", "#include \"" + (folder / "models").string() + "\"\nbodyForce none; affineCoeffs { keepsTurns " + keepsTurns + "; }\n"
+            "constant/models", "#include \"" + (folder / "models").string() + "\"\nbodyForce none; velocityCorrection " + correction + ";\n"
         );
         Models models(drop.folder.path(), Dictionary::read(folder / "solution"), drop.liquid, drop.walls);
         models.takeEffect(drop.liquid, drop.walls);
@@ -302,6 +302,6 @@ TEST(SubStep, KeepsWhatTurnsWhereItIsAskedTo)
         return momentum() / before;
     };
     const double lost = 1 - std::exp(-steps * perStep * perStep);
-    EXPECT_NEAR(kept("no"), 1 - lost, 0.3 * lost);
-    EXPECT_NEAR(kept("yes"), 1, 0.2 * lost);
+    EXPECT_NEAR(kept("none"), 1 - lost, 0.3 * lost);
+    EXPECT_NEAR(kept("keepsTurns"), 1, 0.2 * lost);
 }

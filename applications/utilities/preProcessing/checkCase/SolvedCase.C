@@ -68,7 +68,7 @@ void SolvedCase::readModelsApart(Liquid& standIn, const Walls* known, Findings& 
     findings.attempt([&] { BodyForce::New(*dict, path / "constant", standIn); });
     if (known) findings.attempt([&] { InterParticleForces(*dict, standIn, around, surface); });
     if (solution) findings.attempt([&] { Pressure::New(*dict, *solution, standIn, around, surface); });
-    findings.attempt([&] { VelocityFilter::New(*dict, standIn); });
+    findings.attempt([&] { VelocityCorrection::New(*dict, standIn); });
     findings.attempt([&] { Viscosity::New(*dict, standIn); });
     findings.attempt([&] { ParticleShifting::New(*dict, standIn, around, surface); });
 }

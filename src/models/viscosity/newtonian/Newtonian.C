@@ -1,34 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The viscosity nu of constant/liquidProperties, as a Newtonian liquid has it: du/dt = div(2 nu D), with a free surface that bears no stress and walls that
-// hold the liquid.
+// hold the liquid. Besides, noise is taken out.
 //
 //     u + dt (A u + T u) = u*,        A: PairStress.H,     T: WallDrag.H
 //
-// u* is what pressure and forces have made. Implicit, so no step is too long for it, and the more viscous the liquid the more it moves as a rigid body.
-// Solved by conjugate gradients from u* on, whose every iterate has the momentum and, without walls, the angular momentum of u*. They end when
-// the residual is `tolerance` of the velocities and of what it was, or is what rounding leaves. nu may be zero: nothing is done then.
-//
-// Where a step is short for the liquid's nu, as it is of water, A u* does for A u: where no eigenvalue of dt A is above a quarter, which are at most 8 nu dt sum_j V k_ij.
-// Walls are implicit at all times.
-//
-// Particles go by u: x += dt (u - u*). In a step forces move those of a thick liquid by many times what its stress lets them go.
+// u* is what pressure and forces have made. Where a step is short for the liquid's nu, as it is of water, A u* does for A u: where no eigenvalue of dt A is above a
+// quarter, which are at most 8 nu dt sum_j V k_ij. Walls are implicit at all times. Else the system is solved, so that no step is too long: by conjugate gradients
+// from u* on, whose every iterate has the momentum and, without walls, the angular momentum of u*. They end when the residual is `tolerance` of the velocities and
+// of what it was, or is what rounding leaves. Particles then go by u: x += dt (u - u*). In a step forces move those of a thick liquid by many times what its stress
+// lets them go. Without solving the two differ by a quarter of a particle's own jitter, and by some hundredths of what the spacing resolves.
 //
 // The form that asks for one sum over the particles an iteration: Chronopoulos and Gear 1989. Its sums are of whole quanta: parts of a liquid come to the bits of the whole.
+//
+// Noise is what no flow has that is linear around a particle. Of it a share of a step is taken out, whatever nu is: by the same forces, with nu' = nu + share/(2 dt sum_j
+// V k_ij), and before a system is solved. Translation, rotation and strain pass untouched, and energy is only ever taken. nu may be zero: that is all that is done then.
+//
+//     c: the share of a step; perCapillaryStep, p, that of the time t_c = sqrt(rho d^3/(2 pi sigma)): a step dt takes 1 - (1 - p)^(dt/t_c) where that is more
+//     than c. Walls take -a min(1, s d/(t_c |u_i|)) u_i w of it, w: the kernel density of walls, which are at rest; a: atWalls; s: slipAbove, the speed up to which they
+//     have it wholly: what trembles on a wall comes to rest on it. Without a surface tension p and s are 0 where nothing is said.
+//
 // Trials: doc/notebook/theory/viscosity.md.
 //
 //     viscosity        newtonian;
 //     newtonianCoeffs
 //     {
-//         noSlip          yes;        // no: liquid slides along walls without friction
-//         slipLength      0;          // m, Navier's
-//         startedLayers   yes;        // no: the velocity rises linearly from a wall to the particle at all times
-//         tolerance       1e-3;
-//         maxIterations   200;
+//         noSlip              yes;        // no: liquid slides along walls without friction
+//         slipLength          0;          // m, Navier's
+//         startedLayers       yes;        // no: the velocity rises linearly from a wall to the particle at all times
+//         tolerance           1e-3;
+//         maxIterations       200;
+//         c                   0.2;        // of noise
+//         perCapillaryStep    0.98;
+//         atWalls             1;
+//         slipAbove           0.1;
 //     }
 
 #include "device/Reduce.H"
 #include "maths/Simpson.H"
 #include "maths/WholeSum.H"
+#include "models/smoothing/SmoothingControls.H"
 #include "models/viscosity/Viscosity.H"
 #include "models/viscosity/newtonian/PairStress.H"
 #include "models/viscosity/newtonian/WallDrag.H"
@@ -42,6 +52,20 @@ namespace shizuku
 namespace
 {
 
+// What walls take of noise.
+template<class Kernel>
+struct NoiseAtWalls
+{
+    Kernel W;
+    scalar share, slipAbove;
+    WallView walls;
+
+    HOST_DEVICE scalar operator()(int i, Position x, Vec3 u) const
+    {
+        return share > 0 ? share * walls.density(i, x, W) * fmin(slipAbove / fmax(norm(u), 1e-20f), 1) : 0;
+    }
+};
+
 // The step with A u*: u = (I + dt T)^-1 (u* - dt A u*).
 template<class Kernel>
 struct TakeOne
@@ -49,20 +73,21 @@ struct TakeOne
     static constexpr Holds holds = Holds::more;
 
     SlopeWeight<Kernel> k;
-    scalar volume, dt;
+    scalar volume, dt, ofRest;
     Span<const Position> x;
-    Span<const Vec3> before;                            // u*
     NeighbourView near;
-    RowsField<const Vec3> stress;                       // of u*
+    StressedVelocities<const Vec3> before;              // u*
+    NoiseAtWalls<Kernel> noise;
     bool held;
     WallDrag<Kernel> drag;
     Span<Vec3> velocity;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const Vec3 force = stressForce(k, volume, i, x, before, near, stress, team);
+        const Vec3 force = stressForce(k, volume, ofRest, i, x, before, near, team);
         if (!team.first()) return;
-        Vec3 u = before[i] - dt * force;
+        const Vec3 from = before.velocity[i];
+        Vec3 u = (1 - noise(i, x[i], from)) * from - dt * force;
         if (held)
         {
             SymmTensor<Vec3> matrix = dt * drag(i);
@@ -95,19 +120,18 @@ struct Multiply
     static constexpr Holds holds = Holds::more;
 
     Weight k;
-    scalar volume, dt, own;                             // own: 1 or 0
+    scalar volume, dt, nu, own;                         // own: 1 or 0
     Span<const Position> x;
-    Span<const Vec3> vector;
     NeighbourView near;
-    RowsField<const Vec3> stress;                       // of `vector`
+    StressedVelocities<const Vec3> vector;
     Span<const Vec3> dragDiagonal, dragOther;           // empty: no walls
     Span<Vec3> product;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        Vec3 force = stressForce(k, volume, i, x, vector, near, stress, team);
+        Vec3 force = stressForce(k, volume, nu, i, x, vector, near, team);
         if (!team.first()) return;
-        const Vec3 v = vector[i];
+        const Vec3 v = vector.velocity[i];
         if (dragDiagonal.size > 0) force += SymmTensor<Vec3>{dragDiagonal[i], dragOther[i]} * v;
         product[i] = own * v + dt * force;
     }
@@ -198,6 +222,7 @@ class Newtonian : public Viscosity
 public:
     Newtonian(const Dictionary& coeffs, Liquid& liquid)
     :
+        noise_(coeffs, liquid, {.c = 0.2, .perCapillaryStep = 0.98, .slipAbove = 0.1}), atWalls_(shareOf(coeffs, "atWalls", 1)),
         noSlip_(coeffs.lookupOr("noSlip", true)),
         missing_(missingField(coeffs.lookupOr("startedLayers", true) && noSlip_, liquid)),
         slip_(liquid.units().toScaled(coeffs.lookupDimensionedOr("slipLength", dimensions::length, 0), dimensions::length)),
@@ -205,7 +230,7 @@ public:
         maxIterations_(coeffs.lookupOr("maxIterations", 200)),
         nu_(liquid.units().toScaled(liquid.properties().viscosity, dimensions::kinematicViscosity)),
         plane_(tabulateHalfSpace(liquid.kernel())),
-        stiffest_(stiffestOf(liquid.kernel()))
+        weights_(weightsOf(liquid.kernel()))
     {
         const auto refuseIf = [&](bool wrong, const std::string& entry, const std::string& expected)
         {
@@ -220,17 +245,20 @@ public:
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
-        if (nu_ == 0 || liquid.isEmpty()) return;
+        const scalar share = noise_.share(dt);
+        if (liquid.isEmpty() || (nu_ == 0 && share == 0)) return;
         liquid.ghosts().copy(liquid.position);
-        liquid.ghosts().copy(liquid.velocity);
-        stress_.resizeDiscarding(liquid.all());
+        stressed_.resizeDiscarding(liquid.all());
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
                 const Step<Kernel> step{W, liquid, std::as_const(liquid.position).span(), near.view(), walls, dt};
-                const Buffer<Vec3> before = dt * nu_ * stiffest_ <= 0.25f ? takeOne(step) : solve(step);
-                forEach(liquid.owned(), MoveOn{dt, before.span(), std::as_const(liquid.velocity).span(), liquid.position.span()});
+                const scalar ofNoise = share / (2 * dt * weights_);
+                const bool atOnce = 8 * dt * nu_ * weights_ <= 0.25f;
+                inverse_.resizeDiscarding(atOnce ? 0 : liquid.all());
+                if (atOnce || share > 0) takeOne(step, atOnce ? Viscosities{nu_, nu_ + ofNoise} : Viscosities{0, ofNoise}, share, atOnce && nu_ > 0);
+                if (!atOnce) solve(step, share > 0);
             },
             liquid.kernel()
         );
@@ -247,12 +275,12 @@ private:
         });
     }
 
-    // The largest eigenvalue of A over nu, at most: 8 sum_j V k_ij, as an integral.
-    static scalar stiffestOf(const KernelChoice& kernel)
+    // sum_j V k_ij as an integral.
+    static scalar weightsOf(const KernelChoice& kernel)
     {
         return std::visit([](const auto& W)
         {
-            return scalar(8 * integrate(0, W.h, [&](double r) { return 4 * kernels::pi * r * r * -W.g(scalar(r)); }));
+            return scalar(integrate(0, W.h, [&](double r) { return 4 * kernels::pi * r * r * -W.g(scalar(r)); }));
         }, kernel);
     }
 
@@ -280,53 +308,50 @@ private:
         };
     }
 
-    // P of the vectors, of ghosts too, which have theirs. The first of a step measures the moments.
-    template<template<class> class Find, class Kernel>
-    void findStress(const Step<Kernel>& at, const Buffer<Vec3>& vectors)
+    // P of the vectors, of ghosts too, which are given theirs.
+    template<bool momentsAreKnown, class Kernel>
+    void findStress(const Step<Kernel>& at, Buffer<Vec3>& vectors, Viscosities viscosities)
     {
-        forEachTeam(at.liquid.owned(), Find<SlopeWeight<Kernel>>
+        const Ghosts& ghosts = at.liquid.ghosts();
+        ghosts.copy(vectors);
+        forEachTeam(at.liquid.owned(), FindStress<SlopeWeight<Kernel>, momentsAreKnown>
         {
-            {at.W}, at.liquid.particleVolume(), nu_, at.x, vectors.span(), at.near, inverse_.view(), stress_.view()
+            {at.W}, at.liquid.particleVolume(), viscosities, at.x, std::as_const(vectors).span(), at.near, inverse_.view(), stressed_.view()
         });
-        for (Buffer<Vec3>* row : {&stress_.x, &stress_.y, &stress_.z}) at.liquid.ghosts().copy(*row);
+        ghosts.copy(stressed_.velocity);
+        ghosts.copy(stressed_.stress);
     }
 
-    // Either makes the velocities, and returns those before.
     template<class Kernel>
-    Buffer<Vec3> takeOne(const Step<Kernel>& at)
+    void takeOne(const Step<Kernel>& at, Viscosities viscosities, scalar share, bool wallsHold)
     {
-        inverse_.resizeDiscarding(0);
-        findStress<FindFirstStress>(at, at.liquid.velocity);
-        Buffer<Vec3> velocity(at.liquid.all());
+        findStress<false>(at, at.liquid.velocity, viscosities);
         forEachTeam(at.liquid.owned(), TakeOne<Kernel>
         {
-            {at.W}, at.liquid.particleVolume(), at.dt, at.x, std::as_const(at.liquid.velocity).span(), at.near, stress_.seen(), isHeld(at.walls),
-            drag(at), velocity.span()
+            {at.W}, at.liquid.particleVolume(), at.dt, viscosities.ofRest, at.x, at.near, stressed_.seen(),
+            {at.W, share * atWalls_, noise_.slipAbove(), at.walls.view(at.liquid)}, wallsHold && isHeld(at.walls), drag(at), at.liquid.velocity.span()
         });
-        at.liquid.velocity.swap(velocity);
-        return velocity;
     }
 
     template<class Kernel>
-    Buffer<Vec3> solve(const Step<Kernel>& at)
+    void solve(const Step<Kernel>& at, bool momentsAreKnown)
     {
         Liquid& liquid = at.liquid;
         Buffer<Vec3> start(liquid.all());
         forEach(liquid.owned(), Copy{std::as_const(liquid.velocity).span(), start.span()});
         for (Buffer<Vec3>* vector : {&residual_, &product_, &direction_, &ofDirection_}) vector->resizeDiscarding(liquid.all());
         const int n = liquid.owned(), held = isHeld(at.walls) ? liquid.all() : 0;
-        inverse_.resizeDiscarding(liquid.all());
         dragDiagonal_.resizeDiscarding(held);
         dragOther_.resizeDiscarding(held);
         if (held) forEach(n, StoreDrag<Kernel>{drag(at), dragDiagonal_.span(), dragOther_.span()});
         const auto multiply = [&](Buffer<Vec3>& vector, scalar own, Buffer<Vec3>& product)
         {
-            liquid.ghosts().copy(vector);
-            if (&vector == &liquid.velocity) findStress<FindFirstStress>(at, vector);
-            else findStress<FindStress>(at, vector);
+            if (momentsAreKnown) findStress<true>(at, vector, {nu_, nu_});
+            else findStress<false>(at, vector, {nu_, nu_});
+            momentsAreKnown = true;
             forEachTeam(n, Multiply<SlopeWeight<Kernel>>
             {
-                {at.W}, liquid.particleVolume(), at.dt, own, at.x, vector.span(), at.near, stress_.seen(), dragDiagonal_.span(), dragOther_.span(),
+                {at.W}, liquid.particleVolume(), at.dt, nu_, own, at.x, at.near, stressed_.seen(), dragDiagonal_.span(), dragOther_.span(),
                 product.span()
             });
         };
@@ -356,9 +381,25 @@ private:
                 ofDirection_.span(), product_.span()
             });
         }
-        return start;
+        forEach(n, MoveOn{at.dt, start.span(), std::as_const(liquid.velocity).span(), liquid.position.span()});
     }
 
+    // Of all particles.
+    struct OwnedStress
+    {
+        Buffer<Vec3> velocity, stress;
+
+        void resizeDiscarding(int n)
+        {
+            velocity.resizeDiscarding(n);
+            stress.resizeDiscarding(n);
+        }
+        StressedVelocities<Vec3> view() { return {velocity.span(), stress.span()}; }
+        StressedVelocities<const Vec3> seen() { return {velocity.span(), stress.span()}; }
+    };
+
+    SmoothingControls noise_;
+    scalar atWalls_;
     bool noSlip_;
     Buffer<scalar>* missing_;                           // where it is wanted
     scalar slip_;                                       // scaled
@@ -366,9 +407,9 @@ private:
     int maxIterations_;
     scalar nu_;
     Buffer<HalfSpaceValues> plane_;
-    scalar stiffest_;
+    scalar weights_;
     InverseMoments inverse_;
-    OwnedRows stress_;
+    OwnedStress stressed_;
     Buffer<Vec3> residual_, product_, direction_, ofDirection_;
     Buffer<Vec3> dragDiagonal_, dragOther_;
     Buffer<ResidualSums> scratch_;
