@@ -14,6 +14,7 @@ set(SHIZUKU_STUDY_SOURCES
     study/Gnuplot.C
     study/ParetoFront.C
     study/RunCost.C
+    study/RunOrigin.C
     study/RunReason.C
     study/Stability.C
     study/Study.C

@@ -24,7 +24,8 @@ const std::string allrun = R"(#!/bin/sh
 echo ran >>"@ledger@"
 @before@
 mkdir -p postProcessing/timing/0 postProcessing/compareReference
-{ echo 'Liquid particles @n@, solid'
+{ echo 'Shizuku 0.4.0-abc, Nov 26 2026 10:00:00, host there, PID 1'; echo; echo 'Device : cuda, Some card, 80 GiB'
+echo 'Liquid particles @n@, solid'
 for i in 1 2 3 4 5; do
     printf 'Time = 0.%d s  (20 %%)\ndeltaT = 0.05 s, 2 sub-steps, limited by capillary\nExecutionTime = %d s  ClockTime = 9 s\n' $i $((i*@n@))
 done; echo 'ExecutionTime = 999 s  ClockTime = 999 s'; } >log.pbfDroplet
@@ -94,7 +95,7 @@ TEST_F(Studies, MeasuresErrorAndCostAndMarksTheFront)
     if (run("command -v gnuplot").status == 0)
     {
         EXPECT_EQ(folder_.read("out/speedAccuracy.png").substr(1, 3), "PNG");
-        EXPECT_TRUE(holds(folder_.read("out/speedAccuracy.svg"), {"<svg", "front, by"}));
+        EXPECT_TRUE(holds(folder_.read("out/speedAccuracy.svg"), {"<svg", "front", "0.4.0-abc; Some card; Nov 26 2026"}));
     }
 }
 
@@ -107,6 +108,27 @@ TEST_F(Studies, CombinesTheRunsOfAPoint)
     ASSERT_EQ(points.rows(), 2u);
     EXPECT_EQ(points.number(0, "error"), 4);                    // the worse of 4 and 2
     EXPECT_EQ(points.number(0, "cost"), 60);                    // mean of 40 and 80
+}
+
+// A line goes through the setting that has all points, and of those the one that is better for its cost; repeats are one point, with its spread.
+TEST_F(Studies, DrawsALineOfTheBestSettingAndHowRepeatsSpread)
+{
+    writeStudy
+    (
+        "n (2 4 8); speed (0 1); dear { no { } yes { values { before \"true\"; } } }",
+        "error { comparison angle; quantity \"contact angle\"; label e; least 1; repeats (dear); }\ncost particleSteps;\nseries speed;\nalong n;\n"
+    );
+    ASSERT_EQ(call("speedAccuracy").status, 0);
+    const CsvTable points = table("speedAccuracy.csv");
+    ASSERT_EQ(points.rows(), 6u);                               // n and speed
+    for (std::size_t row = 0; row < points.rows(); ++row)
+    {
+        EXPECT_EQ(points.number(row, "runs"), 2);
+        EXPECT_EQ(points.text(row, "line"), "yes");             // each series has but one setting
+        EXPECT_EQ(points.number(row, "errorFrom"), points.number(row, "error"));
+        EXPECT_EQ(points.number(row, "errorTo"), points.number(row, "error"));
+    }
+    EXPECT_TRUE(holds(folder_.read("out/speedAccuracy.gnuplot"), {"yerrorbars", "linespoints", "\"8\""}));
 }
 
 TEST_F(Studies, ADeathIsRecordedWithItsReasonAndLosesNoOther)

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <sstream>
 
 namespace shizuku
@@ -27,39 +29,20 @@ bool drawable(const SpeedAccuracyPoint& point)
     return std::isfinite(point.cost) && std::isfinite(point.error) && point.cost > 0;
 }
 
-// The choices but for that of the series: "1000, 0.5".
-std::string nameOf(const SpeedAccuracy& chart, const SpeedAccuracyPoint& point)
-{
-    std::string name;
-    for (std::size_t i = 0; i < point.choices.size(); ++i)
-    {
-        if (i != chart.series) name += (name.empty() ? "" : ", ") + point.choices[i];
-    }
-    return name;
-}
-
-// "particles, timeStep": what the names of points tell.
-std::string namedAxes(const Study& study, const SpeedAccuracy& chart)
-{
-    std::string names;
-    for (std::size_t i = 0; i < chart.shown.size(); ++i)
-    {
-        if (i != chart.series) names += (names.empty() ? "" : ", ") + study.axes[chart.shown[i]].name;
-    }
-    return names;
-}
-
 std::string axisOf(const std::string& cost)
 {
     if (cost == "particleSteps") return "particle-steps for one simulated second";
     return std::string(cost == "cpuTime" ? "processor time" : "wall-clock time") + " for one simulated second [s]";
 }
 
-std::string row(double cost, double error, const std::string& name)
+// Cost, error, its least and its most, and a name.
+std::string row(const SpeedAccuracy& chart, const SpeedAccuracyPoint& point)
 {
+    const auto drawn = [&](double error) { return std::max(error, chart.least); };
     std::ostringstream text;
     text.precision(9);
-    text << cost << ' ' << error << ' ' << quotedForGnuplot(name);
+    text << point.cost << ' ' << drawn(point.error) << ' ' << drawn(point.errorFrom) << ' ' << drawn(point.errorTo) << ' '
+         << quotedForGnuplot(chart.along ? point.choices[*chart.along] : "");
     return text.str();
 }
 
@@ -77,13 +60,17 @@ struct Parts
     }
 };
 
-// Two columns at most, of which the picture has room for.
-std::ptrdiff_t rowsOfKey(const std::vector<std::string>& plots)
+// Points from the cheapest on.
+std::vector<SpeedAccuracyPoint> drawn(const std::vector<SpeedAccuracyPoint>& points, const std::function<bool(const SpeedAccuracyPoint&)>& wanted)
 {
-    const auto isNamed = [](const std::string& plot) { return !plot.ends_with("notitle"); };
-    return std::max<std::ptrdiff_t>(5, (std::ranges::count_if(plots, isNamed) + 1)/2);
+    std::vector<SpeedAccuracyPoint> result;
+    std::ranges::copy_if(points, std::back_inserter(result), [&](const SpeedAccuracyPoint& point) { return drawable(point) && wanted(point); });
+    std::ranges::sort(result, {}, &SpeedAccuracyPoint::cost);
+    return result;
 }
 
+// A line through the points of the best setting, in the order of the axis that it goes along, their choices beside them, and bars from the least to the most of repeats;
+// what other settings gave as small rings.
 void addSeries
 (
     Parts& parts, const Study& study, const SpeedAccuracy& chart, const std::vector<SpeedAccuracyPoint>& points
@@ -92,47 +79,37 @@ void addSeries
     const StudyAxis& series = study.axes[chart.shown[chart.series]];
     for (std::size_t i = 0; i < series.choices.size(); ++i)
     {
-        std::vector<std::string> rows;
-        for (const SpeedAccuracyPoint& point : points)
+        const auto rowsOf = [&](bool onLine)
         {
-            if (point.choices[chart.series] != series.choices[i].name || !drawable(point)) continue;
-            rows.push_back(row(point.cost, std::max(point.error, chart.least), ""));
+            std::vector<std::string> rows;
+            const auto isOurs = [&](const SpeedAccuracyPoint& p) { return p.choices[chart.series] == series.choices[i].name && p.onLine == onLine; };
+            for (const SpeedAccuracyPoint& point : drawn(points, isOurs)) rows.push_back(row(chart, point));
+            return rows;
+        };
+        const std::vector<std::string> line = rowsOf(true), others = rowsOf(false);
+        const std::string colour = " lc rgb \"" + std::string(colours[i%colours.size()]) + "\"", number = std::to_string(i);
+        const std::string title = " title " + quotedForGnuplot(series.choices[i].name);
+        if (!line.empty())
+        {
+            parts.addBlock("line" + number, line);
+            parts.plots.push_back("$line" + number + " using 1:2:3:4 with yerrorbars pt 7 ps 0.1" + colour + " notitle");
+            parts.plots.push_back("$line" + number + " using 1:2 with linespoints pt 7 ps 1 lw 2" + colour + title);
+            parts.plots.push_back("$line" + number + " using 1:2:5 with labels left offset 0.7,0.4 font \",8\" tc rgb \"" + colours[i%colours.size()] + "\" notitle");
         }
-        if (rows.empty()) continue;
-        const std::string block = "series" + std::to_string(i);
-        parts.addBlock(block, rows);
-        parts.plots.push_back
-        (
-            "$" + block + " using 1:2 with points pt 7 ps 1.1 lc rgb \"" + colours[i%colours.size()] + "\" title "
-          + quotedForGnuplot(series.choices[i].name)
-        );
+        if (!others.empty())
+        {
+            parts.addBlock("others" + number, others);
+            parts.plots.push_back("$others" + number + " using 1:2 with points pt 6 ps 0.6" + colour + (line.empty() ? title : " notitle"));
+        }
     }
 }
 
-void addFront
-(
-    Parts& parts, const Study& study, const SpeedAccuracy& chart, const std::vector<SpeedAccuracyPoint>& points
-)
+void addFront(Parts& parts, const SpeedAccuracy& chart, const std::vector<SpeedAccuracyPoint>& points)
 {
-    std::vector<SpeedAccuracyPoint> front;
-    std::copy_if(points.begin(), points.end(), std::back_inserter(front), [](const SpeedAccuracyPoint& point)
-    {
-        return point.front && drawable(point);
-    });
-    const auto cheaper = [](const SpeedAccuracyPoint& a, const SpeedAccuracyPoint& b) { return a.cost < b.cost; };
-    std::sort(front.begin(), front.end(), cheaper);
     std::vector<std::string> rows;
-    for (const SpeedAccuracyPoint& point : front)
-    {
-        rows.push_back(row(point.cost, std::max(point.error, chart.least), nameOf(chart, point)));
-    }
+    for (const SpeedAccuracyPoint& point : drawn(points, &SpeedAccuracyPoint::front)) rows.push_back(row(chart, point));
     parts.addBlock("front", rows);
-    parts.plots.push_back
-    (
-        "$front using 1:2 with linespoints pt 6 ps 2 lw 1.5 lc rgb \"#333333\" title \"front, by "
-      + namedAxes(study, chart) + "\""
-    );
-    parts.plots.push_back("$front using 1:2:3 with labels left offset 0.9,0.6 font \",8\" notitle");
+    parts.plots.push_back("$front using 1:2 with lines lw 9 lc rgb \"#dfe3e6\" title \"front\"");
 }
 
 void addReferences(Parts& parts, const SpeedAccuracy& chart)
@@ -141,11 +118,38 @@ void addReferences(Parts& parts, const SpeedAccuracy& chart)
     std::vector<std::string> rows;
     for (const ReferencePoint& point : chart.references)
     {
-        rows.push_back(row(point.cost, std::max(point.error, chart.least), point.source));
+        std::ostringstream text;
+        text << point.cost << ' ' << std::max(point.error, chart.least) << ' ' << quotedForGnuplot(point.source);
+        rows.push_back(text.str());
     }
     parts.addBlock("references", rows);
     parts.plots.push_back("$references using 1:2 with points pt 4 ps 1.5 lw 2 lc rgb \"#000000\" title \"others, named\"");
     parts.plots.push_back("$references using 1:2:3 with labels right offset 1,-1 font \",8\" notitle");
+}
+
+// As wide as what is drawn, and a bit.
+std::string rangesOf(const SpeedAccuracy& chart, const std::vector<SpeedAccuracyPoint>& points)
+{
+    constexpr double margin = 1.7;
+    std::vector<double> costs, errors;
+    for (const SpeedAccuracyPoint& point : drawn(points, [](const SpeedAccuracyPoint&) { return true; }))
+    {
+        costs.push_back(point.cost);
+        for (const double error : {point.errorFrom, point.errorTo}) errors.push_back(std::max(error, chart.least));
+    }
+    for (const ReferencePoint& point : chart.references)
+    {
+        costs.push_back(point.cost);
+        errors.push_back(std::max(point.error, chart.least));
+    }
+    std::ostringstream text;
+    const auto range = [&](const char* axis, const std::vector<double>& values)
+    {
+        text << "set " << axis << "range [" << std::ranges::min(values)/margin << ':' << std::ranges::max(values)*margin << "]\n";
+    };
+    range("x", costs);
+    range("y", errors);
+    return text.str();
 }
 
 }
@@ -158,7 +162,7 @@ void writePoints
 {
     std::vector<CsvFile::Column> columns;
     for (const std::size_t axis : chart.shown) columns.push_back({study.axes[axis].name, ""});
-    for (const char* const name : {"cost", "error", "runs", "withoutError", "front", "source"}) columns.push_back({name, ""});
+    for (const char* const name : {"cost", "error", "errorFrom", "errorTo", "runs", "withoutError", "front", "line", "source"}) columns.push_back({name, ""});
     CsvFile table(file, columns);
     for (const SpeedAccuracyPoint& point : points)
     {
@@ -166,14 +170,18 @@ void writePoints
         cells.insert
         (
             cells.end(),
-            {point.cost, point.error, double(point.runs), double(point.failed), point.front ? "yes" : "no", "this study"}
+            {
+                point.cost, point.error, point.errorFrom, point.errorTo, double(point.runs), double(point.failed), point.front ? "yes" : "no",
+                point.onLine ? "yes" : "no", "this study"
+            }
         );
         table.addRow(cells);
     }
     for (const ReferencePoint& point : chart.references)
     {
         std::vector<CsvFile::Cell> cells(chart.shown.size(), "-");
-        cells.insert(cells.end(), {point.cost, point.error, std::nan(""), std::nan(""), "-", point.source});
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        cells.insert(cells.end(), {point.cost, point.error, none, none, none, none, "-", "-", point.source});
         table.addRow(cells);
     }
     table.write();
@@ -183,7 +191,7 @@ void writePoints
 void drawPoints
 (
     const std::filesystem::path& file, const Study& study, const SpeedAccuracy& chart,
-    const std::vector<SpeedAccuracyPoint>& points
+    const std::vector<SpeedAccuracyPoint>& points, const std::string& foot
 )
 {
     if (std::none_of(points.begin(), points.end(), drawable))
@@ -192,14 +200,15 @@ void drawPoints
         return;
     }
     Parts parts;
+    addFront(parts, chart, points);
     addSeries(parts, study, chart, points);
-    addFront(parts, study, chart, points);
     addReferences(parts, chart);
     std::ostringstream commands;
     commands << parts.data.str()
-             << "set logscale xy; set grid lc rgb \"#dddddd\"; set offsets graph 0.05, graph 0.15, graph 0.05, graph 0.05\n"
-             << "set key below vertical maxrows " << rowsOfKey(parts.plots) << " samplen 2; set title " << quotedForGnuplot(chart.title) << '\n'
-             << "set xlabel \"" << axisOf(chart.cost)
+             << "set logscale xy; set grid lc rgb \"#eeeeee\"\n" << rangesOf(chart, points)
+             << "set key outside right top Left reverse samplen 2; set title " << quotedForGnuplot(chart.title) << '\n'
+             << "set label 1 " << quotedForGnuplot(foot) << " at screen 0.99, screen 0.015 right font \",8\" tc rgb \"#666666\"\n"
+             << "set bmargin 5; set xlabel \"" << axisOf(chart.cost)
              << "\"; set ylabel " << quotedForGnuplot(chart.label) << "\nset format x \"%g\"; set format y \"%g\"\nplot ";
     for (std::size_t i = 0; i < parts.plots.size(); ++i) commands << (i > 0 ? ", \\\n    " : "") << parts.plots[i];
     drawChart(file, commands.str());

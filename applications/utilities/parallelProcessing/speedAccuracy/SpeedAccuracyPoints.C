@@ -51,21 +51,34 @@ SpeedAccuracy::SpeedAccuracy(const Study& study, const std::string& wantedCost)
     combine_ = error.lookupChoiceOr("combine", {"mean", "rms", "worst"}, "mean");
 
     std::vector<bool> isCombined(study.axes.size());
-    if (error.found("over"))
+    const auto combine = [&](const char* entry, const auto& take)
     {
-        for (const std::string& axis : listTexts(error, "over")) isCombined[study.axis({axis, error.where("over")})] = true;
-    }
+        if (!error.found(entry)) return;
+        for (const std::string& text : listTexts(error, entry))
+        {
+            const std::size_t axis = study.axis({text, error.where(entry)});
+            isCombined[axis] = true;
+            take(axis);
+        }
+    };
+    combine("over", [](std::size_t) {});
+    combine("repeats", [&](std::size_t axis) { repeats_.push_back(axis); });
     for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
     {
         if (!isCombined[axis]) shown.push_back(axis);
     }
-    const StudyText wanted{study.dict.lookup<std::string>("series"), study.dict.where("series")};
-    const auto place = std::find(shown.begin(), shown.end(), study.axis(wanted));
-    if (place == shown.end())
+    const auto placeOf = [&](const char* entry)
     {
-        throw FatalInputError(wanted.where, "The series '" + wanted.text + "' is an axis that is combined", "one that is not");
-    }
-    series = place - shown.begin();
+        const StudyText wanted{study.dict.lookup<std::string>(entry), study.dict.where(entry)};
+        const auto place = std::find(shown.begin(), shown.end(), study.axis(wanted));
+        if (place == shown.end())
+        {
+            throw FatalInputError(wanted.where, "The axis '" + wanted.text + "' of " + entry + " is one that is combined", "one that is not");
+        }
+        return std::size_t(place - shown.begin());
+    };
+    series = placeOf("series");
+    if (study.dict.found("along")) along = placeOf("along");
     if (study.dict.found("references")) references = readReferences(study.folder/study.dict.lookup<std::string>("references"));
 }
 
@@ -107,6 +120,63 @@ double SpeedAccuracy::combined(const std::vector<double>& errors) const
     return combine_ == "worst" ? worst : combine_ == "rms" ? std::sqrt(mean) : mean;
 }
 
+SpeedAccuracyPoint SpeedAccuracy::pointOf(const std::vector<std::size_t>& choices, const std::vector<const RunOutcome*>& runs) const
+{
+    SpeedAccuracyPoint point;
+    for (std::size_t i = 0; i < shown.size(); ++i) point.choices.push_back(study_.axes[shown[i]].choices[choices[i]].name);
+    std::map<std::vector<std::size_t>, std::vector<double>> errors;       // by repeat
+    for (const RunOutcome* outcome : runs)
+    {
+        std::vector<std::size_t> repeat;
+        for (const std::size_t axis : repeats_) repeat.push_back(outcome->run.choices[axis]);
+        const double error = numberIn(*outcome, "error");
+        errors[repeat].push_back(error);
+        point.cost += numberIn(*outcome, cost)/double(runs.size());
+        if (std::isnan(error)) ++point.failed;
+    }
+    point.runs = int(runs.size());
+    bool first = true;
+    for (const auto& [repeat, ofRuns] : errors)
+    {
+        const double error = combined(ofRuns);
+        point.error += error/double(errors.size());
+        point.errorFrom = first ? error : std::min(point.errorFrom, error);
+        point.errorTo = first ? error : std::max(point.errorTo, error);
+        first = false;
+    }
+    return point;
+}
+
+void SpeedAccuracy::findLines(std::vector<SpeedAccuracyPoint>& points) const
+{
+    if (!along) return;
+    std::map<std::string, std::map<std::vector<std::string>, std::vector<SpeedAccuracyPoint*>>> lines;    // by series, by setting
+    for (SpeedAccuracyPoint& point : points)
+    {
+        if (!std::isfinite(point.cost) || !std::isfinite(point.error) || point.cost <= 0) continue;
+        std::vector<std::string> setting;
+        for (std::size_t i = 0; i < point.choices.size(); ++i)
+        {
+            if (i != series && i != *along) setting.push_back(point.choices[i]);
+        }
+        lines[point.choices[series]][setting].push_back(&point);
+    }
+    const auto product = [&](const std::vector<SpeedAccuracyPoint*>& line)
+    {
+        double sum = 0;
+        for (const SpeedAccuracyPoint* point : line) sum += std::log(point->cost*std::max(point->error, least));
+        return sum/double(line.size());
+    };
+    for (const auto& [name, settings] : lines)
+    {
+        const auto worse = [&](const auto& a, const auto& b)
+        {
+            return a.second.size() != b.second.size() ? a.second.size() < b.second.size() : product(a.second) > product(b.second);
+        };
+        for (SpeedAccuracyPoint* point : std::max_element(settings.begin(), settings.end(), worse)->second) point->onLine = true;
+    }
+}
+
 std::vector<SpeedAccuracyPoint> SpeedAccuracy::points(const std::vector<RunOutcome>& outcomes) const
 {
     std::map<std::vector<std::size_t>, std::vector<const RunOutcome*>> groups;
@@ -120,22 +190,13 @@ std::vector<SpeedAccuracyPoint> SpeedAccuracy::points(const std::vector<RunOutco
     std::vector<CostAndError> numbers;
     for (const auto& [key, group] : groups)
     {
-        SpeedAccuracyPoint point;
-        for (std::size_t i = 0; i < shown.size(); ++i) point.choices.push_back(study_.axes[shown[i]].choices[key[i]].name);
-        std::vector<double> errors;
-        for (const RunOutcome* outcome : group)
-        {
-            errors.push_back(numberIn(*outcome, "error"));
-            point.cost += numberIn(*outcome, cost)/double(group.size());
-            if (std::isnan(errors.back())) ++point.failed;
-        }
-        point.runs = int(group.size());
-        point.error = combined(errors);
+        const SpeedAccuracyPoint point = pointOf(key, group);
         points.push_back(point);
         numbers.push_back({point.cost, point.error});
     }
     const std::vector<bool> front = paretoFront(numbers);
     for (std::size_t i = 0; i < points.size(); ++i) points[i].front = front[i];
+    findLines(points);
     return points;
 }
 

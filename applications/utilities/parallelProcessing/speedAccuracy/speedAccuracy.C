@@ -4,6 +4,7 @@
 #include "SpeedAccuracyChart.H"
 
 #include "core/arguments/runApplication.H"
+#include "study/RunOrigin.H"
 #include "study/StudyOptions.H"
 
 #include <algorithm>
@@ -44,6 +45,17 @@ void printFront(const Study& study, const SpeedAccuracy& chart, const std::vecto
     std::cout << '\n';
 }
 
+// What the runs were made with.
+std::string footOf(const std::vector<RunOutcome>& outcomes)
+{
+    std::vector<RunOrigin> origins;
+    for (const RunOutcome& outcome : outcomes)
+    {
+        if (outcome.end == RunEnd::finished) origins.push_back(runOrigin(outcome.path));
+    }
+    return summaryOf(origins);
+}
+
 void speedAccuracy(const Arguments& args)
 {
     const Study study = readStudy(args);
@@ -57,7 +69,7 @@ void speedAccuracy(const Arguments& args)
     printFront(study, chart, points);
     const std::filesystem::path output = studyOutput(args, study);
     writePoints(output/"speedAccuracy.csv", study, chart, points);
-    drawPoints(output/"speedAccuracy", study, chart, points);
+    drawPoints(output/"speedAccuracy", study, chart, points, footOf(engine.outcomes()));
     reportDeaths(engine.outcomes());
 }
 

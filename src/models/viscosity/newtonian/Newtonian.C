@@ -84,13 +84,13 @@ struct TakeOne
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        const Vec3 force = stressForce(k, volume, ofRest, i, x, before, near, team);
+        const StressForce stress = stressForce(k, volume, ofRest, i, x, before, near, team);
         if (!team.first()) return;
         const Vec3 from = before.velocity[i];
-        Vec3 u = (1 - noise(i, x[i], from)) * from - dt * force;
+        Vec3 u = (1 - noise(i, x[i], from)) * from - dt * stress.force;
         if (held)
         {
-            SymmTensor<Vec3> matrix = dt * drag(i);
+            SymmTensor<Vec3> matrix = dt * drag(i, stress.slope);
             matrix.diagonal += Vec3{1, 1, 1};
             const SymmTensor<Vec3> adjoint = adjugate(matrix);
             u = 1 / determinant(matrix, adjoint) * (adjoint * u);
@@ -102,12 +102,21 @@ struct TakeOne
 template<class Kernel>
 struct StoreDrag
 {
+    static constexpr Holds holds = Holds::more;
+
+    SlopeWeight<Kernel> k;
+    scalar volume;
+    NeighbourView near;
     WallDrag<Kernel> drag;
     Span<Vec3> diagonal, other;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, Team team) const
     {
-        const SymmTensor<Vec3> matrix = drag(i);
+        Team::Vector sum;
+        if (drag.line.unresolved > 0) near.forEach(i, drag.x[i], drag.x, [&](auto, auto r) { sum += k(norm(r)) * r; }, team);
+        const Vec3 slope = volume * team.sum(sum);
+        if (!team.first()) return;
+        const SymmTensor<Vec3> matrix = drag(i, slope);
         diagonal[i] = matrix.diagonal;
         other[i] = matrix.other;
     }
@@ -129,7 +138,7 @@ struct Multiply
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        Vec3 force = stressForce(k, volume, nu, i, x, vector, near, team);
+        Vec3 force = stressForce(k, volume, nu, i, x, vector, near, team).force;
         if (!team.first()) return;
         const Vec3 v = vector.velocity[i];
         if (dragDiagonal.size > 0) force += SymmTensor<Vec3>{dragDiagonal[i], dragOther[i]} * v;
@@ -229,6 +238,7 @@ public:
         tolerance_(coeffs.lookupOr("tolerance", 1e-3)),
         maxIterations_(coeffs.lookupOr("maxIterations", 200)),
         nu_(liquid.units().toScaled(liquid.properties().viscosity, dimensions::kinematicViscosity)),
+        line_(lineDrag(liquid, slip_, nu_)),
         plane_(tabulateHalfSpace(liquid.kernel())),
         weights_(weightsOf(liquid.kernel()))
     {
@@ -284,6 +294,14 @@ private:
         }, kernel);
     }
 
+    // Of a slip length shorter than the spacing.
+    static ContactLineDrag lineDrag(const Liquid& liquid, scalar slip, scalar nu)
+    {
+        const auto table = tabulateHalfSpace(liquid.kernel());
+        const scalar ofPlane = HalfSpaceView{{table.data(), int(table.size())}, liquid.support()}(0).gradient;
+        return {nu, slip > 0 && slip < liquid.spacing() ? std::log(liquid.spacing() / slip) : 0, ofPlane};
+    }
+
     bool isHeld(const Walls& walls) const { return noSlip_ && (walls.particles() > 0 || walls.surfaces() > 0); }
 
     // Where and between whom the stress acts.
@@ -304,7 +322,7 @@ private:
         return
         {
             at.W, at.liquid.spacing(), nu_, slip_, at.dt, at.x, std::as_const(at.liquid.velocity).span(), at.walls.view(at.liquid),
-            {plane_.span(), at.W.h}, missing_ ? missing_->span() : Span<scalar>{}
+            {plane_.span(), at.W.h}, line_, missing_ ? missing_->span() : Span<scalar>{}
         };
     }
 
@@ -343,7 +361,13 @@ private:
         const int n = liquid.owned(), held = isHeld(at.walls) ? liquid.all() : 0;
         dragDiagonal_.resizeDiscarding(held);
         dragOther_.resizeDiscarding(held);
-        if (held) forEach(n, StoreDrag<Kernel>{drag(at), dragDiagonal_.span(), dragOther_.span()});
+        if (held)
+        {
+            forEachTeam(n, StoreDrag<Kernel>
+            {
+                {at.W}, liquid.particleVolume(), at.near, drag(at), dragDiagonal_.span(), dragOther_.span()
+            });
+        }
         const auto multiply = [&](Buffer<Vec3>& vector, scalar own, Buffer<Vec3>& product)
         {
             if (momentsAreKnown) findStress<true>(at, vector, {nu_, nu_});
@@ -406,6 +430,7 @@ private:
     double tolerance_;
     int maxIterations_;
     scalar nu_;
+    ContactLineDrag line_;
     Buffer<HalfSpaceValues> plane_;
     scalar weights_;
     InverseMoments inverse_;

@@ -231,6 +231,37 @@ TEST(Newtonian, SlipsAsFarAsTheUserSays)
     EXPECT_EQ(lost("noSlip no; slipLength 0;"), 0);
 }
 
+// Across a line where a surface meets the wall at 90 degrees, what moves is held by C(90) = 4/pi times ln(d/b) more than what b = 0 asks for; far from it by nothing more. Of short
+// steps and of solved ones.
+TEST(Newtonian, HoldsContactLinesByWhatNoParticleResolves)
+{
+    const auto points = latticeBlock(16, 9, 7, 1, {-7.5f, -4, 0.5f});
+    const std::vector<Vec3> across(points.size(), {1, 0, 0});
+    for (const auto& [nu, dt] : {std::pair("1e-6", 1e-3f), std::pair("1e-3", 1e-3f)})
+    {
+        double atLine = 0, within = 0;
+        for (const double sign : {1.0, -1.0})
+        {
+            LiquidCase flow(liquidOf(nu, floorPlane));
+            const auto result = after
+            (
+                flow, points, across, dt, stressAlone + "tolerance 1e-6; startedLayers no; slipLength " + (sign > 0 ? "1e-9;" : "0;")
+            );
+            for (std::size_t i = 0; i < points.size(); ++i)
+            {
+                if (std::abs(points[i].y) > 1.5) continue;      // three rows, far from the block's other ends
+                (points[i].x > 4 ? atLine : within) += std::abs(points[i].x) > 4 && points[i].x < 0 ? 0 : sign * (1 - result[i].x);
+            }
+        }
+        LiquidCase flow(liquidOf(nu, floorPlane));
+        const double d = flow.liquid.spacing(), expected = 3 * dt * scaledNu(flow) / (d * d) * 4 / std::numbers::pi * std::log(1e-3 / 1e-9);
+        // Rows and columns are sums of slopes, at halves of spacings, for integrals. What is thick slows down in the step.
+        if (nu == std::string("1e-6")) EXPECT_NEAR(atLine / expected, 1, 0.1);
+        EXPECT_LT(std::abs(within), 0.05 * atLine) << nu;
+        EXPECT_GT(atLine, 0) << nu;
+    }
+}
+
 // Stokes' first problem: liquid that is set going at once has lost 2 sqrt(nu t/pi) of its velocity for each unit of the wall, whatever the steps, as long as
 // the layer is thinner than where the particles are; what is set going anew begins anew.
 TEST(Newtonian, HoldsWhatHasJustStartedAsStokesDoes)
