@@ -33,11 +33,17 @@ double slidingForce(double theta, double capillaryNumber, double logarithm)
 
 double slidingSpeed(double theta, double force, double logarithm)
 {
-    const double fastest = std::pow(radians(theta), 3)/(9*logarithm);
-    const auto excess = [&](double capillaryNumber) { return slidingForce(theta, capillaryNumber, logarithm) - force; };
-    if (!(force >= 0 && excess(fastest) >= 0)) return std::nan("");
+    // Speed and logarithm come in by their product alone.
+    return slidingLogarithm(theta, 1, force)/logarithm;
+}
+
+double slidingLogarithm(double theta, double capillaryNumber, double force)
+{
+    const double most = std::pow(radians(theta), 3)/(9*capillaryNumber);
+    const auto excess = [&](double logarithm) { return slidingForce(theta, capillaryNumber, logarithm) - force; };
+    if (!(force > 0 && excess(most) >= 0)) return std::nan("");
     std::uintmax_t steps = 100;
-    const auto [low, high] = boost::math::tools::toms748_solve(excess, 0.0, fastest, boost::math::tools::eps_tolerance<double>(40), steps);
+    const auto [low, high] = boost::math::tools::toms748_solve(excess, 0.0, most, boost::math::tools::eps_tolerance<double>(40), steps);
     return 0.5*(low + high);
 }
 

@@ -35,5 +35,6 @@ TEST(MovingContactLine, SpeedIsThatOfTheForce)
 {
     EXPECT_NEAR(slidingForce(60, 0, 3), 0, 1e-12);
     for (const double ca : {1e-3, 0.01, 0.03}) EXPECT_NEAR(slidingSpeed(60, slidingForce(60, ca, 3), 3), ca, 1e-9) << ca;
+    EXPECT_NEAR(slidingLogarithm(60, 0.01, slidingForce(60, 0.01, 3)), 3, 1e-9);
     EXPECT_TRUE(std::isnan(slidingSpeed(60, 2, 3))) << "more than the rear bears";
 }
