@@ -161,6 +161,17 @@ void FunctionObjects::write(const Time& time, BackgroundWriter& writer)
     }
 }
 
+std::string FunctionObjects::report() const
+{
+    std::string lines;
+    for (const Entry& entry : entries_)
+    {
+        const std::string text = entry.object->report();
+        if (!text.empty()) lines += entry.name + ": " + text + '\n';
+    }
+    return lines;
+}
+
 std::string FunctionObjects::reasonToEnd() const
 {
     for (const Entry& entry : entries_)

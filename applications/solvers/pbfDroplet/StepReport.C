@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StepReport.H"
 
+#include "SlipReport.H"
 #include "caseFiles/SampledWall.H"
 #include "core/arguments/runApplication.H"
 #include "drops/MotionWarnings.H"
@@ -81,6 +82,8 @@ void reportStart(FlowView& flow)
     if (flow.walls.particles() > 0) warnOfOtherSolid(flow.time, flow.walls);
     std::cout << "Liquid particles " << flow.particles() << ", solid particles " << flow.walls.particles()
               << ", analytic surfaces " << flow.walls.surfaces() << std::endl;
+    if (flow.walls.particles() + flow.walls.surfaces() == 0 || flow.properties().surfaceTension == 0) return;
+    if (const std::string text = slipReport(flow.models.dict, flow.properties().spacing); !text.empty()) std::cout << text << std::endl;
 }
 
 void limitStepsOfBlobs(FlowView& flow, TimeStep& step)
@@ -105,7 +108,7 @@ void reportRelaxation(int rounds)
     if (rounds > 0) std::cout << "The liquid overlapped itself: its particles were moved apart in " << rounds << " rounds\n";
 }
 
-void reportStep(const SubSteps& steps, FlowView& flow, const Outlets& outlets)
+void reportStep(const SubSteps& steps, FlowView& flow, const Outlets& outlets, const FunctionObjects& functions)
 {
     const LiquidState& state = flow.state();
     std::cout
@@ -117,7 +120,7 @@ void reportStep(const SubSteps& steps, FlowView& flow, const Outlets& outlets)
         << "volume = " << state.volume << " m3, kinetic energy = " << state.kineticEnergy
         << " J, max |U| = " << state.maxSpeed << " m/s\n";
     if (const std::string text = outlets.report(flow.numbers(), flow.properties().particleVolume()); !text.empty()) std::cout << "taken out: " << text << '\n';
-    std::cout << executionTime() << std::endl;
+    std::cout << functions.report() << executionTime() << std::endl;
 }
 
 void takeOut(CaseSetup& setup, Neighbourhood& near, FlowView& flow, Time& time)

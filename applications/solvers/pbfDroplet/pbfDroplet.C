@@ -105,7 +105,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         if (time.writeDue() || functions.lookAtParticles(time)) flow.gather();
         if (isFirst) functions.execute(flow);
         stopWhereAsked(time, functions, parts);
-        if (isFirst && time.reportDue()) reportStep(steps, flow, *setup.outlets);
+        if (isFirst && time.reportDue()) reportStep(steps, flow, *setup.outlets, functions);
         writer.write(time, flow, changes, functions);
         profile.count(steps.count);
     }

@@ -5,7 +5,7 @@
 //
 // Separate bodies of liquid (drops/SeparateBodies.H) of twenty particles and more are drops, wherever they are; others are spray. Diameters are those of spheres of
 // their volumes, d^3 a particle: the mean of them; the one that half of the volume is in drops below; and the largest. classes [m]: between
-// these diameters drops are counted, in columns of their own.
+// these diameters drops are counted, in columns of their own. What has left the largest body, and particles that are alone, are counted too; the log tells them.
 
 #include "core/fieldFile/CsvFile.H"
 #include "drops/SeparateBodies.H"
@@ -40,12 +40,15 @@ public:
         const std::vector<Vector3>& positions = flow.positions();
         const double spacing = flow.properties().spacing;
         std::vector<double> diameters, volumes;             // the largest first
-        double all = 0, sum = 0, spray = 0;
+        double all = 0, sum = 0, spray = 0, sprayParticles = 0, alone = 0, largest = 0;
         for (const SeparateBody& body : separateBodies(positions, std::vector<Vector3>(positions.size()), spacing))
         {
+            largest = std::max(largest, double(body.particles.size()));
             if (body.particles.size() < leastParticles)
             {
                 spray += body.volume;
+                sprayParticles += double(body.particles.size());
+                if (body.particles.size() == 1) ++alone;
                 continue;
             }
             diameters.push_back(body.diameter());
@@ -53,10 +56,11 @@ public:
             all += volumes.back();
             sum += diameters.back();
         }
-        const double number = double(diameters.size());
+        const double number = double(diameters.size()), off = double(positions.size()) - largest;
         std::vector<CsvFile::Cell> row
         {
-            flow.time.value(), number, number > 0 ? sum / number : 0.0, halfVolume(diameters, volumes, all), number > 0 ? diameters.front() : 0.0, spray
+            flow.time.value(), number, number > 0 ? sum / number : 0.0, halfVolume(diameters, volumes, all), number > 0 ? diameters.front() : 0.0, spray,
+            off, alone
         };
         for (std::size_t k = 0; k + 1 < classes_.size(); ++k)
         {
@@ -64,10 +68,15 @@ public:
             row.emplace_back(double(std::count_if(diameters.begin(), diameters.end(), isIn)));
         }
         table_.addRow(row);
+        std::ostringstream text;
+        text << "drops " << number << ", particles off the largest body " << off << ", in bodies below " << leastParticles << ' ' << sprayParticles
+             << ", alone " << alone;
+        report_ = text.str();
     }
 
     bool looksAtDensities() const override { return false; }
     const CsvFile* table() const override { return &table_; }
+    std::string report() const override { return report_; }
 
 private:
     static double halfVolume(const std::vector<double>& diameters, const std::vector<double>& volumes, double all)
@@ -85,7 +94,8 @@ private:
     {
         std::vector<CsvFile::Column> columns
         {
-            {"time", "s"}, {"drops", ""}, {"meanDiameter", "m"}, {"medianDiameter", "m"}, {"largestDiameter", "m"}, {"spray", "m3"}
+            {"time", "s"}, {"drops", ""}, {"meanDiameter", "m"}, {"medianDiameter", "m"}, {"largestDiameter", "m"}, {"spray", "m3"},
+            {"offLargest", ""}, {"alone", ""}
         };
         for (std::size_t k = 0; k + 1 < classes.size(); ++k)
         {
@@ -98,6 +108,7 @@ private:
 
     std::vector<double> classes_;           // m, ascending
     CsvFile table_;
+    std::string report_;
 };
 
 const FunctionObjectTable::Add<DropCount> registered{"drops", "how many drops there are, and their sizes"};

@@ -42,6 +42,10 @@ TEST(FunctionObjects, DropsAreCountedAndSized)
     EXPECT_NEAR(value("medianDiameter"), most, 1e-8);
     EXPECT_NEAR(value("largestDiameter"), most, 1e-8);
     EXPECT_NEAR(value("spray"), 1e-9, 1e-15);
+    EXPECT_EQ(value("offLargest"), double(small.size()) + 1);
+    EXPECT_EQ(value("alone"), 1);
+    const std::string off = std::to_string(small.size() + 1);
+    EXPECT_EQ(flow.report(), "sizes: drops 2, particles off the largest body " + off + ", in bodies below 20 1, alone 1\n");
     EXPECT_EQ(value("from0to0.004"), 0);
     EXPECT_EQ(value("from0.004to0.005"), 1);
     EXPECT_EQ(value("from0.005to0.01"), 1);

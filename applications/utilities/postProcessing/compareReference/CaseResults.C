@@ -43,4 +43,9 @@ CsvTable CaseResults::table(const std::string& name, const std::string& file) co
     return readTable(casePath_, name, file);
 }
 
+CsvFile CaseResults::output(const std::string& file, const std::vector<CsvFile::Column>& columns) const
+{
+    return CsvFile(casePath_/"postProcessing/compareReference"/file, columns);
+}
+
 }

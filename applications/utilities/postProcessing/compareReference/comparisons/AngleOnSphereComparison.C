@@ -12,11 +12,11 @@
 namespace shizuku
 {
 
-class AngleOnSphereComparison : public Comparison
+class AngleOnSphereComparison : public JudgedComparison
 {
 public:
     explicit AngleOnSphereComparison(const Dictionary& dict)
-    : theta_(dict.lookup<double>("theta")), within_(dict.lookupPositive("within", dimensions::none)) {}
+    : JudgedComparison(dict), theta_(dict.lookup<double>("theta")) {}
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    double theta_, within_;
+    double theta_;
 };
 
 static const ComparisonTable::Add<AngleOnSphereComparison> registered{"angleOnSphere"};

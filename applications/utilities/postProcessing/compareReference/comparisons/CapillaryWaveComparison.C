@@ -6,7 +6,6 @@
 
 #include "Comparison.H"
 #include "CosineMoment.H"
-#include "core/fieldFile/CsvFile.H"
 #include "reference/CapillaryWave.H"
 
 #include <cmath>
@@ -30,13 +29,13 @@ double firstZero(const std::vector<double>& t, const std::vector<double>& y)
 
 }
 
-class CapillaryWaveComparison : public Comparison
+class CapillaryWaveComparison : public JudgedComparison
 {
 public:
     explicit CapillaryWaveComparison(const Dictionary& dict)
     :
-        wavelength_(dict.lookupPositive("wavelength", dimensions::length)), depth_(dict.lookupPositive("depth", dimensions::length)),
-        amplitude_(dict.lookupPositive("amplitude", dimensions::length)), within_(dict.lookupPositive("within", dimensions::none))
+        JudgedComparison(dict), wavelength_(dict.lookupPositive("wavelength", dimensions::length)), depth_(dict.lookupPositive("depth", dimensions::length)),
+        amplitude_(dict.lookupPositive("amplitude", dimensions::length))
     {}
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
@@ -44,10 +43,7 @@ public:
         const double k = 2*std::numbers::pi/wavelength_;
         const CapillaryWave wave{k, results.nu, results.sigma, results.rho, 0};
         const WaveTrace trace = cosineMoments(results, 0, k);
-        CsvFile file
-        (
-            results.casePath()/"postProcessing/compareReference/wave.csv", {{"time", "s"}, {"amplitude", ""}, {"exactAmplitude", ""}}
-        );
+        CsvFile file = results.output("wave.csv", {{"time", "s"}, {"amplitude", ""}, {"exactAmplitude", ""}});
         std::vector<double> measured, exact;
         double sum = 0;
         for (std::size_t i = 0; i < trace.time.size(); ++i)
@@ -68,7 +64,7 @@ public:
     }
 
 private:
-    double wavelength_, depth_, amplitude_, within_;
+    double wavelength_, depth_, amplitude_;
 };
 
 static const ComparisonTable::Add<CapillaryWaveComparison> registered{"capillaryWave"};

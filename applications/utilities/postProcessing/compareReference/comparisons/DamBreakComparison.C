@@ -6,7 +6,6 @@
 // so that spray does not count. front.csv holds the trace.
 
 #include "Comparison.H"
-#include "core/fieldFile/CsvFile.H"
 #include "reference/DamBreak.H"
 
 #include <algorithm>
@@ -15,18 +14,15 @@
 namespace shizuku
 {
 
-class DamBreakComparison : public Comparison
+class DamBreakComparison : public JudgedComparison
 {
 public:
     explicit DamBreakComparison(const Dictionary& dict)
-    : width_(dict.lookupPositive("width", dimensions::length)), within_(dict.lookupPositive("within", dimensions::none)) {}
+    : JudgedComparison(dict), width_(dict.lookupPositive("width", dimensions::length)) {}
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
-        CsvFile trace
-        (
-            results.casePath()/"postProcessing/compareReference/front.csv", {{"time", ""}, {"front", ""}, {"measured", ""}}
-        );
+        CsvFile trace = results.output("front.csv", {{"time", ""}, {"front", ""}, {"measured", ""}});
         const double none = std::nan("");
         std::vector<DamBreakFront> front;
         for (const TimeFolder& time : results.times())
@@ -83,7 +79,7 @@ private:
         return *place + 0.5*results.spacing;
     }
 
-    double width_, within_;
+    double width_;
 };
 
 static const ComparisonTable::Add<DamBreakComparison> registered{"damBreak"};

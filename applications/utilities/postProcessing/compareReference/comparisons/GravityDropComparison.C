@@ -10,7 +10,6 @@
 #include "Comparison.H"
 #include "LargestDrops.H"
 #include "core/angles/Degrees.H"
-#include "core/fieldFile/CsvFile.H"
 #include "reference/BashforthAdams.H"
 
 #include <algorithm>
@@ -20,11 +19,11 @@
 namespace shizuku
 {
 
-class GravityDropComparison : public Comparison
+class GravityDropComparison : public JudgedComparison
 {
 public:
     explicit GravityDropComparison(const Dictionary& dict)
-    : theta_(dict.lookup<double>("theta")), within_(dict.lookupPositive("within", dimensions::none)) {}
+    : JudgedComparison(dict), theta_(dict.lookup<double>("theta")) {}
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
@@ -74,11 +73,7 @@ private:
         }
         const std::size_t rows = std::max(sum.size(), exact.points.size());
         const double none = std::nan("");
-        CsvFile profile
-        (
-            results.casePath()/"postProcessing/compareReference/profile.csv",
-            {{"radius", "m"}, {"height", "m"}, {"exactRadius", "m"}, {"exactHeight", "m"}}
-        );
+        CsvFile profile = results.output("profile.csv", {{"radius", "m"}, {"height", "m"}, {"exactRadius", "m"}, {"exactHeight", "m"}});
         for (std::size_t i = 0; i < rows; ++i)
         {
             const bool measured = i < sum.size() && count[i] > 0, known = i < exact.points.size();
@@ -91,7 +86,7 @@ private:
         profile.write();
     }
 
-    double theta_, within_;
+    double theta_;
 };
 
 static const ComparisonTable::Add<GravityDropComparison> registered{"gravityDrop"};

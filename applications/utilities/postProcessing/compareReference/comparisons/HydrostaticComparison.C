@@ -15,13 +15,12 @@
 namespace shizuku
 {
 
-class HydrostaticComparison : public Comparison
+class HydrostaticComparison : public JudgedComparison
 {
 public:
     explicit HydrostaticComparison(const Dictionary& dict)
     :
-        area_(dict.lookupPositive("area", Dimensions{{0, 2, 0, 0, 0, 0, 0}})),
-        within_(dict.lookupPositive("within", dimensions::none))
+        JudgedComparison(dict), area_(dict.lookupPositive("area", Dimensions{{0, 2, 0, 0, 0, 0, 0}}))
     {}
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
@@ -78,7 +77,7 @@ private:
         double mean() const { return sum/count; }
     };
 
-    double area_, within_;
+    double area_;
 };
 
 static const ComparisonTable::Add<HydrostaticComparison> registered{"hydrostatic"};

@@ -7,7 +7,6 @@
 
 #include "Comparison.H"
 #include "core/angles/Degrees.H"
-#include "core/fieldFile/CsvFile.H"
 #include "meshes/ConnectedPoints.H"
 #include "reference/CapOnWall.H"
 #include "reference/DropImpact.H"
@@ -18,12 +17,12 @@
 namespace shizuku
 {
 
-class ImpactComparison : public Comparison
+class ImpactComparison : public JudgedComparison
 {
 public:
     explicit ImpactComparison(const Dictionary& dict)
     :
-        theta_(dict.lookup<double>("theta")), within_(dict.lookupPositive("within", dimensions::none)), stays_(dict.lookupOr("stays", false))
+        JudgedComparison(dict), theta_(dict.lookup<double>("theta")), stays_(dict.lookupOr("stays", false))
     {
         if (!(theta_ > 0 && theta_ <= 180)) throw FatalInputError(dict.where("theta"), "theta is out of range", "above 0 and up to 180");
     }
@@ -35,10 +34,7 @@ public:
         const double speed = -states.number(0, "momentumZ")/(results.rho*results.liquidVolume());
         const double weber = results.rho*speed*speed*diameter/results.sigma, reynolds = speed*diameter/results.nu;
 
-        CsvFile trace
-        (
-            results.casePath()/"postProcessing/compareReference/spread.csv", {{"time", "s"}, {"wetted", "diameters"}, {"liquid", "diameters"}}
-        );
+        CsvFile trace = results.output("spread.csv", {{"time", "s"}, {"wetted", "diameters"}, {"liquid", "diameters"}});
         double most = 0, wettedAtEnd = 0, widest = 0;
         for (std::size_t row = 0; row < spread.rows(); ++row)
         {
@@ -75,7 +71,7 @@ private:
         return most;
     }
 
-    double theta_, within_;
+    double theta_;
     bool stays_;
 };
 

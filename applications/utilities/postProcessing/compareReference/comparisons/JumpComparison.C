@@ -12,10 +12,10 @@
 namespace shizuku
 {
 
-class JumpComparison : public Comparison
+class JumpComparison : public JudgedComparison
 {
 public:
-    explicit JumpComparison(const Dictionary& dict) : within_(dict.lookupPositive("within", dimensions::none)) {}
+    using JudgedComparison::JudgedComparison;
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
@@ -24,9 +24,6 @@ public:
         const double ofOne = results.capillarySpeed()*std::pow(2, 1.0/6);
         return {relativeRow("speed of the jump", "capillary speeds", 0.2, speed/ofOne, within_)};
     }
-
-private:
-    double within_;
 };
 
 static const ComparisonTable::Add<JumpComparison> registered{"jump"};

@@ -12,10 +12,10 @@
 namespace shizuku
 {
 
-class LaplaceComparison : public Comparison
+class LaplaceComparison : public JudgedComparison
 {
 public:
-    explicit LaplaceComparison(const Dictionary& dict) : within_(dict.lookupPositive("within", dimensions::none)) {}
+    using JudgedComparison::JudgedComparison;
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
@@ -39,9 +39,6 @@ public:
         const double measured = count > 0 ? sum/double(count) : std::nan("");
         return {relativeRow("pressure jump", "Pa", 2*results.sigma/results.radius(), measured, within_)};
     }
-
-private:
-    double within_;
 };
 
 static const ComparisonTable::Add<LaplaceComparison> registered{"laplace"};

@@ -6,7 +6,6 @@
 // Measured on the mesh of the latest time. meniscus.csv holds both surfaces.
 
 #include "Comparison.H"
-#include "core/fieldFile/CsvFile.H"
 #include "reference/TubeMeniscus.H"
 
 #include <algorithm>
@@ -16,14 +15,13 @@
 namespace shizuku
 {
 
-class MeniscusComparison : public Comparison
+class MeniscusComparison : public JudgedComparison
 {
 public:
     explicit MeniscusComparison(const Dictionary& dict)
     :
-        radius_(dict.lookupPositive("radius", dimensions::length)),
-        theta_(dict.lookup<double>("theta")),
-        within_(dict.lookupPositive("within", dimensions::none))
+        JudgedComparison(dict), radius_(dict.lookupPositive("radius", dimensions::length)),
+        theta_(dict.lookup<double>("theta"))
     {}
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
@@ -44,11 +42,7 @@ public:
             ++count[ring];
         }
 
-        CsvFile table
-        (
-            results.casePath()/"postProcessing/compareReference/meniscus.csv",
-            {{"radius", "m"}, {"height", "m"}, {"exactHeight", "m"}}
-        );
+        CsvFile table = results.output("meniscus.csv", {{"radius", "m"}, {"height", "m"}, {"exactHeight", "m"}});
         double worst = 0, first = std::nan(""), last = first, exactFirst = first, exactLast = first;
         for (std::size_t ring = 0; ring < rings; ++ring)
         {
@@ -78,7 +72,7 @@ public:
     }
 
 private:
-    double radius_, theta_, within_;
+    double radius_, theta_;
 };
 
 static const ComparisonTable::Add<MeniscusComparison> registered{"meniscus"};

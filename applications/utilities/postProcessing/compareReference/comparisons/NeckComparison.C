@@ -6,7 +6,6 @@
 // besides: by how much r^2 scatters about the line. Experiments and computations have C from 1.1 to 1.6. neck.csv holds the trace.
 
 #include "Comparison.H"
-#include "core/fieldFile/CsvFile.H"
 #include "maths/LinearSolve.H"
 
 #include <algorithm>
@@ -29,10 +28,7 @@ public:
     {
         const CsvTable neck = results.table("neck", "crossSection.csv");
         const double tau = std::sqrt(results.rho*std::pow(radius_, 3)/results.sigma);
-        CsvFile trace
-        (
-            results.casePath()/"postProcessing/compareReference/neck.csv", {{"time", "capillary times"}, {"radius", "radii"}}
-        );
+        CsvFile trace = results.output("neck.csv", {{"time", "capillary times"}, {"radius", "radii"}});
         std::vector<std::pair<double, double>> points;      // t/tau, (r/R)^2
         const double from = std::max(0.3, 2.5*results.spacing/radius_);
         bool passed = false;

@@ -7,7 +7,6 @@
 // its decay is fitted from 1/damping on, when what started from rest has become the mode. The trace is written to oscillation.csv.
 
 #include "Comparison.H"
-#include "core/fieldFile/CsvFile.H"
 #include "reference/DropOscillation.H"
 #include "reference/ViscousDrop.H"
 
@@ -37,13 +36,12 @@ double elongation(const std::vector<Vector3>& positions, int mode)
 
 }
 
-class OscillationComparison : public Comparison
+class OscillationComparison : public JudgedComparison
 {
 public:
     explicit OscillationComparison(const Dictionary& dict)
     :
-        within_(dict.lookupPositive("within", dimensions::none)),
-        dampingWithin_(dict.found("dampingWithin") ? dict.lookupPositive("dampingWithin", dimensions::none) : std::nan("")),
+        JudgedComparison(dict), dampingWithin_(dict.found("dampingWithin") ? dict.lookupPositive("dampingWithin", dimensions::none) : std::nan("")),
         mode_(dict.lookupOr("mode", 2))
     {
         if (mode_ < 2 || mode_ > 8) throw FatalInputError(dict.where("mode"), "mode is out of range", "2 to 8");
@@ -65,11 +63,7 @@ public:
         const double none = std::nan("");
         const double period = 2*std::numbers::pi/exact.frequency;          // infinite where it creeps
 
-        CsvFile trace
-        (
-            results.casePath()/"postProcessing/compareReference/oscillation.csv",
-            {{"time", "s"}, {"elongation", ""}, {"fit", ""}, {"period", "s"}}
-        );
+        CsvFile trace = results.output("oscillation.csv", {{"time", "s"}, {"elongation", ""}, {"fit", ""}, {"period", "s"}});
         for (std::size_t i = 0; i < t.size(); ++i) trace.addRow({t[i], q[i], fit ? fit->at(t[i]) : none, period});
         trace.write();
 
@@ -86,8 +80,7 @@ private:
         const auto from = std::lower_bound(t.begin(), t.end(), 1/exact.damping) - t.begin();
         return fitDecay({t.begin() + from, t.end()}, {q.begin() + from, q.end()}, exact.frequency, exact.damping);
     }
-
-    double within_, dampingWithin_;
+    double dampingWithin_;
     int mode_;
 };
 

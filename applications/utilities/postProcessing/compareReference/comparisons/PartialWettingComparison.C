@@ -7,7 +7,6 @@
 #include "Comparison.H"
 #include "WettedFoot.H"
 #include "core/angles/Degrees.H"
-#include "core/fieldFile/CsvFile.H"
 #include "reference/Spreading.H"
 
 #include <cmath>
@@ -16,10 +15,10 @@
 namespace shizuku
 {
 
-class PartialWettingComparison : public Comparison
+class PartialWettingComparison : public JudgedComparison
 {
 public:
-    explicit PartialWettingComparison(const Dictionary& dict) : within_(dict.lookupPositive("within", dimensions::none)) {}
+    using JudgedComparison::JudgedComparison;
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
@@ -31,10 +30,7 @@ public:
         for (const auto& [time, wetted] : foot.points()) area.add(time/unit, wetted/final);
 
         const double none = std::nan("");
-        CsvFile trace
-        (
-            results.casePath()/"postProcessing/compareReference/wetting.csv", {{"time", ""}, {"area", ""}, {"measured", ""}}
-        );
+        CsvFile trace = results.output("wetting.csv", {{"time", ""}, {"area", ""}, {"measured", ""}});
         for (const auto& [time, share] : area.points()) trace.addRow({time, share, none});
         SampledCurve theirs;
         double sum = 0;
@@ -53,9 +49,6 @@ public:
             {"last wetted area", "", 1, area.points().back().second, area.points().back().second - 1, "", none}
         };
     }
-
-private:
-    double within_;
 };
 
 static const ComparisonTable::Add<PartialWettingComparison> registered{"partialWetting"};

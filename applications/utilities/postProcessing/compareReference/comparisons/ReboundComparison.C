@@ -7,7 +7,6 @@
 
 #include "Comparison.H"
 #include "WallTouch.H"
-#include "core/fieldFile/CsvFile.H"
 #include "reference/DropImpact.H"
 
 #include <algorithm>
@@ -46,10 +45,7 @@ private:
     static void writeTrace(const CaseResults& results)
     {
         const CsvTable extent = results.table("extent", "boundingBox.csv"), drop = results.table("drop", "liquidState.csv");
-        CsvFile trace
-        (
-            results.casePath()/"postProcessing/compareReference/rebound.csv", {{"time", "s"}, {"lowest", "spacings"}, {"speed", "m/s"}}
-        );
+        CsvFile trace = results.output("rebound.csv", {{"time", "s"}, {"lowest", "spacings"}, {"speed", "m/s"}});
         for (std::size_t row = 0; row < std::min(extent.rows(), drop.rows()); ++row)
         {
             trace.addRow

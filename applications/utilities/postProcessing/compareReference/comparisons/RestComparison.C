@@ -34,10 +34,10 @@ double slope(const std::vector<double>& t, const std::vector<double>& y)
 
 }
 
-class RestComparison : public Comparison
+class RestComparison : public JudgedComparison
 {
 public:
-    explicit RestComparison(const Dictionary& dict) : within_(dict.lookupPositive("within", dimensions::none)) {}
+    using JudgedComparison::JudgedComparison;
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
@@ -68,9 +68,6 @@ public:
             {"end in viscous times", "", 10, end/viscousTime, none, "", none}
         };
     }
-
-private:
-    double within_;
 };
 
 static const ComparisonTable::Add<RestComparison> registered{"rest"};

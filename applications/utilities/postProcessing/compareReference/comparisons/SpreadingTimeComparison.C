@@ -12,12 +12,12 @@
 namespace shizuku
 {
 
-class SpreadingTimeComparison : public Comparison
+class SpreadingTimeComparison : public JudgedComparison
 {
 public:
     explicit SpreadingTimeComparison(const Dictionary& dict)
     :
-        viscous_(dict.lookupChoice("regime", {"viscous", "inertial"}) == "viscous"), within_(dict.lookupPositive("within", dimensions::none))
+        JudgedComparison(dict), viscous_(dict.lookupChoice("regime", {"viscous", "inertial"}) == "viscous")
     {}
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
@@ -30,7 +30,6 @@ public:
 
 private:
     bool viscous_;
-    double within_;
 };
 
 static const ComparisonTable::Add<SpreadingTimeComparison> registered{"spreadingTime"};

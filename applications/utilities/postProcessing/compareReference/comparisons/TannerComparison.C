@@ -4,9 +4,8 @@
 // run, by least squares in logarithms, against Tanner's 1/10 (L. H. Tanner 1979, J. Phys. D 12, 1473-1484), in percent. tanner.csv holds the trace.
 
 #include "Comparison.H"
+#include "PowerLaw.H"
 #include "WettedFoot.H"
-#include "core/fieldFile/CsvFile.H"
-#include "maths/LinearSolve.H"
 
 #include <cmath>
 #include <numbers>
@@ -14,35 +13,31 @@
 namespace shizuku
 {
 
-class TannerComparison : public Comparison
+class TannerComparison : public JudgedComparison
 {
 public:
-    explicit TannerComparison(const Dictionary& dict) : within_(dict.lookupPositive("within", dimensions::none)) {}
+    using JudgedComparison::JudgedComparison;
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
         const SampledCurve area = wettedArea(results);
-        CsvFile trace(results.casePath()/"postProcessing/compareReference/tanner.csv", {{"time", "s"}, {"radius", "m"}});
-        NormalEquations<2> line;
+        CsvFile trace = results.output("tanner.csv", {{"time", "s"}, {"radius", "m"}});
+        PowerLaw law;
         double radius = std::nan("");
         for (const auto& [time, wetted] : area.points())
         {
             radius = std::sqrt(wetted/std::numbers::pi);
             trace.addRow({time, radius});
-            if (time >= 0.1*area.points().back().first && wetted > 0) line.add({1, std::log(time)}, std::log(radius));
+            if (time >= 0.1*area.points().back().first && wetted > 0) law.add(time, radius);
         }
         trace.write();
-        const auto solution = line.solve();
         const double none = std::nan("");
         return
         {
-            relativeRow("exponent of the radius", "", 0.1, solution ? (*solution)[1] : none, within_),
+            relativeRow("exponent of the radius", "", 0.1, law.exponent(), within_),
             {"last radius over the drop's", "", none, radius/results.radius(), none, "", none}
         };
     }
-
-private:
-    double within_;
 };
 
 static const ComparisonTable::Add<TannerComparison> registered{"tanner"};

@@ -6,7 +6,6 @@
 
 #include "Comparison.H"
 #include "CosineMoment.H"
-#include "core/fieldFile/CsvFile.H"
 #include "reference/CapillaryWave.H"
 
 #include <algorithm>
@@ -47,13 +46,12 @@ Growth fitGrowth(const std::vector<double>& t, const std::vector<double>& y, dou
 
 }
 
-class ThreadComparison : public Comparison
+class ThreadComparison : public JudgedComparison
 {
 public:
     explicit ThreadComparison(const Dictionary& dict)
     :
-        radius_(dict.lookupPositive("radius", dimensions::length)), kR_(dict.lookupPositive("kR", dimensions::none)),
-        within_(dict.lookupPositive("within", dimensions::none))
+        JudgedComparison(dict), radius_(dict.lookupPositive("radius", dimensions::length)), kR_(dict.lookupPositive("kR", dimensions::none))
     {
         if (kR_ >= 1) throw FatalInputError(dict.where("kR"), "A thread that short does not break", "kR below 1");
     }
@@ -69,10 +67,7 @@ public:
         trace.moment.resize(std::size_t(count));
         const Growth growth = grown && count > 3 ? fitGrowth(trace.time, trace.moment, expected) : Growth{none, none};
 
-        CsvFile file
-        (
-            results.casePath()/"postProcessing/compareReference/thread.csv", {{"time", "s"}, {"height", "radii"}, {"fit", "radii"}}
-        );
+        CsvFile file = results.output("thread.csv", {{"time", "s"}, {"height", "radii"}, {"fit", "radii"}});
         for (std::size_t i = 0; i < trace.time.size(); ++i)
         {
             file.addRow({trace.time[i], trace.moment[i], growth.start*std::cosh(growth.rate*trace.time[i])});
@@ -82,7 +77,7 @@ public:
     }
 
 private:
-    double radius_, kR_, within_;
+    double radius_, kR_;
 };
 
 static const ComparisonTable::Add<ThreadComparison> registered{"thread"};

@@ -5,8 +5,7 @@
 // is that of a disc of the area in table `foot`, a crossSection half a spacing above the plane. radius.csv holds the trace.
 
 #include "Comparison.H"
-#include "core/fieldFile/CsvFile.H"
-#include "maths/LinearSolve.H"
+#include "PowerLaw.H"
 #include "reference/Spreading.H"
 
 #include <cmath>
@@ -15,20 +14,17 @@
 namespace shizuku
 {
 
-class ViscousSpreadingComparison : public Comparison
+class ViscousSpreadingComparison : public JudgedComparison
 {
 public:
     explicit ViscousSpreadingComparison(const Dictionary& dict)
-    : age_(dict.lookupPositive("age", dimensions::time)), within_(dict.lookupPositive("within", dimensions::none)) {}
+    : JudgedComparison(dict), age_(dict.lookupPositive("age", dimensions::time)) {}
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
         const CsvTable foot = results.table("foot", "crossSection.csv");
-        CsvFile trace
-        (
-            results.casePath()/"postProcessing/compareReference/radius.csv", {{"time", "s"}, {"radius", "m"}, {"exactRadius", "m"}}
-        );
-        NormalEquations<2> line;
+        CsvFile trace = results.output("radius.csv", {{"time", "s"}, {"radius", "m"}, {"exactRadius", "m"}});
+        PowerLaw law;
         double worst = 0, radius = 0, exact = 0;
         for (std::size_t row = 0; row < foot.rows(); ++row)
         {
@@ -37,21 +33,20 @@ public:
             exact = huppertRadius(results.gravity, results.liquidVolume(), results.nu, time);
             trace.addRow({time, radius, exact});
             if (!(std::abs(100*(radius/exact - 1)) <= std::abs(worst))) worst = 100*(radius/exact - 1);
-            line.add({1, std::log(time)}, std::log(radius));
+            law.add(time, radius);
         }
         trace.write();
-        const auto solution = line.solve();
         const double none = std::nan("");
         return
         {
             {"largest deviation of the radius", "%", 0, worst, worst, "%", within_},
             relativeRow("last radius", "m", exact, radius, none),
-            relativeRow("exponent of the radius", "", 0.125, solution ? (*solution)[1] : none, none)
+            relativeRow("exponent of the radius", "", 0.125, law.exponent(), none)
         };
     }
 
 private:
-    double age_, within_;
+    double age_;
 };
 
 static const ComparisonTable::Add<ViscousSpreadingComparison> registered{"viscousSpreading"};

@@ -9,10 +9,10 @@
 namespace shizuku
 {
 
-class VolumeComparison : public Comparison
+class VolumeComparison : public JudgedComparison
 {
 public:
-    explicit VolumeComparison(const Dictionary& dict) : within_(dict.lookupPositive("within", dimensions::none)) {}
+    using JudgedComparison::JudgedComparison;
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
@@ -27,9 +27,6 @@ public:
             relativeRow("volume of the particles", "m3", exact, states.number(states.rows() - 1, "volume"), within_)
         };
     }
-
-private:
-    double within_;
 };
 
 static const ComparisonTable::Add<VolumeComparison> registered{"volume"};
