@@ -9,14 +9,17 @@
 //         thickness   1e-4;                   // m, default: a spacing
 //     }
 //
-// A row a plane: its place and area, the volume of the particles whose centres are within half the thickness of it, over the thickness: an
-// average over that of the liquid's own section. Of planes half a spacing and one and a half above a wall 1.5 A_0 - 0.5 A_1 is the
-// area on the wall, where the liquid is as thick.
+// A row a plane, of the particles whose centres are within half the thickness of it: their volume over the thickness, which is an average over that of the area of
+// the liquid's own section where particles lie as densely as anywhere; and the radius of the disc that has their second moment about their centroid,
+// each a square of a spacing. Along walls particles lie in layers, which need not be a spacing thick: of a round section the radius is the one to
+// trust there. Of planes half a spacing and one and a half above a wall 1.5 r_0 - 0.5 r_1 is that on the wall.
 
 #include "caseFiles/UnitVector.H"
 #include "core/fieldFile/CsvFile.H"
 #include "functionObjects/FunctionObject.H"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace shizuku
@@ -25,32 +28,55 @@ namespace shizuku
 namespace
 {
 
+struct Sums
+{
+    long count = 0;
+    Vector3 places{};
+    double squares = 0;
+
+    void add(const Vector3& x)
+    {
+        ++count;
+        places = places + x;
+        squares += dot(x, x);
+    }
+
+    // Of a disc <r^2> is half the radius squared; of a square of side d a sixth of d^2.
+    double radius(double d) const
+    {
+        if (count == 0) return 0;
+        const Vector3 mean = 1/double(count)*places;
+        return std::sqrt(2*(std::max(0.0, squares/double(count) - dot(mean, mean)) + d*d/6));
+    }
+};
+
 class CrossSection : public FunctionObject
 {
 public:
     CrossSection(const Dictionary& dict, const FunctionSetting& setting)
     :
         normal_(readUnitVector(dict, "normal")), places_(dict.lookup<std::vector<double>>("places")),
-        thickness_(dict.found("thickness") ? dict.lookupPositive("thickness", dimensions::length) : setting.spacing),
-        table_(setting.folder / "crossSection.csv", {{"time", "s"}, {"place", "m"}, {"area", "m2"}})
+        spacing_(setting.spacing), thickness_(dict.found("thickness") ? dict.lookupPositive("thickness", dimensions::length) : setting.spacing),
+        table_(setting.folder / "crossSection.csv", {{"time", "s"}, {"place", "m"}, {"area", "m2"}, {"radius", "m"}})
     {
         if (places_.empty()) throw FatalInputError(dict.where("places"), "There is no plane", "one place at least");
     }
 
     void execute(FlowView& flow) override
     {
-        std::vector<long> within(places_.size(), 0);
+        std::vector<Sums> within(places_.size());
         for (const Vector3& x : flow.positions())
         {
             const double along = dot(x, normal_);
             for (std::size_t i = 0; i < places_.size(); ++i)
             {
-                within[i] += along >= places_[i] - 0.5*thickness_ && along < places_[i] + 0.5*thickness_;
+                if (along >= places_[i] - 0.5*thickness_ && along < places_[i] + 0.5*thickness_) within[i].add(x - along*normal_);
             }
         }
         for (std::size_t i = 0; i < places_.size(); ++i)
         {
-            table_.addRow({flow.time.value(), places_[i], double(within[i]) * flow.properties().particleVolume() / thickness_});
+            const double area = double(within[i].count) * flow.properties().particleVolume() / thickness_;
+            table_.addRow({flow.time.value(), places_[i], area, within[i].radius(spacing_)});
         }
     }
 
@@ -60,7 +86,7 @@ public:
 private:
     Vector3 normal_;
     std::vector<double> places_;        // m
-    double thickness_;                  // m
+    double spacing_, thickness_;        // m
     CsvFile table_;
 };
 

@@ -174,7 +174,7 @@ TEST_F(CompareMotion, LargestSpreadAndWhatLeavesTheDrop)
     EXPECT_NEAR(found.at("Weber number of the diameter"), rho*D/sigma, 1e-6*rho*D/sigma);
 }
 
-// A foot whose area is the one that is written on the wall, and goes down by a tenth of it a spacing above.
+// A foot whose radius is that of the area that is written on the wall, and goes down by a tenth of it a spacing above.
 TEST_F(CompareMotion, TimesOfSpreading)
 {
     writeLiquid("0", ball());
@@ -182,10 +182,10 @@ TEST_F(CompareMotion, TimesOfSpreading)
     {
         std::ostringstream rows;
         rows.precision(12);
-        rows << "time [s],place [m],area [m2]\n";
+        rows << "time [s],place [m],radius [m]\n";
         for (int i = 0; i*dt <= end; ++i)
         {
-            for (const double place : {0.5, 1.5}) rows << i*dt << ',' << place*spacing << ',' << area(i*dt)*(1 - 0.1*place) << '\n';
+            for (const double place : {0.5, 1.5}) rows << i*dt << ',' << place*spacing << ',' << std::sqrt(area(i*dt)/std::numbers::pi)*(1 - 0.1*place) << '\n';
         }
         write("postProcessing/foot/0/crossSection.csv", rows.str());
     };
@@ -213,9 +213,9 @@ TEST_F(CompareMotion, GrowthOfANeck)
     writeLiquid("0", ball());
     const auto writeNeck = [&](double end)
     {
-        writeTable("neck/0/crossSection.csv", "place [m],area [m2]", end, 2e-5, [&](double t)
+        writeTable("neck/0/crossSection.csv", "place [m],radius [m]", end, 2e-5, [&](double t)
         {
-            return "0," + text(std::numbers::pi*R*R*1.3*1.3*std::max(0.0, t - 3e-4)/tau);
+            return "0," + text(R*1.3*std::sqrt(std::max(0.0, t - 3e-4)/tau));
         });
     };
     writeNeck(3e-3);
@@ -267,9 +267,9 @@ TEST_F(CompareMotion, RadiusOfAViscousDrop)
     write("constant/g", "value (0 0 -9.81);\n");
     writeLiquid("0", ball());
     const double age = 0.05, off = 1.03;
-    writeTable("foot/0/crossSection.csv", "place [m],area [m2]", 0.45, 0.01, [&](double t)
+    writeTable("foot/0/crossSection.csv", "place [m],radius [m]", 0.45, 0.01, [&](double t)
     {
-        return "6.4e-5," + text(std::numbers::pi*std::pow(off*huppertRadius(9.81, volume(ball()), nu, age + t), 2));
+        return "6.4e-5," + text(off*huppertRadius(9.81, volume(ball()), nu, age + t));
     });
     const auto found = measured("type viscousSpreading; age 0.05; within 4;");
     EXPECT_NEAR(found.at("largest deviation of the radius"), 3, 1e-6);
@@ -314,11 +314,11 @@ TEST_F(CompareMotion, ExponentOfTannerAndSpeedOfSliding)
     writeLiquid("0", ball());
     std::ostringstream rows;
     rows.precision(12);
-    rows << "time [s],place [m],area [m2]\n";
+    rows << "time [s],place [m],radius [m]\n";
     for (int i = 0; i <= 200; ++i)
     {
-        const double area = std::numbers::pi*std::pow(1.8e-3*std::pow(5e-3*i, 0.1), 2);
-        for (const double place : {0.5, 1.5}) rows << 5e-3*i << ',' << place*spacing << ',' << area*(1 - 0.1*place) << '\n';
+        const double radius = 1.8e-3*std::pow(5e-3*i, 0.1);
+        for (const double place : {0.5, 1.5}) rows << 5e-3*i << ',' << place*spacing << ',' << radius*(1 - 0.1*place) << '\n';
     }
     write("postProcessing/foot/0/crossSection.csv", rows.str());
     EXPECT_NEAR(measured("type tanner; within 10;").at("exponent of the radius"), 0.1, 1e-6);

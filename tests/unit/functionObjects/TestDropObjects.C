@@ -117,9 +117,17 @@ TEST(CrossSection, IsThatOfTheLayers)
     FlowCase thick("foot { type crossSection; normal (0 0 1); places (2e-3); thickness 4e-3; }", onAPlane);
     thick.step(halfBall());
     EXPECT_NEAR(thick.value(table, "area"), layer(0, 4)/4*d*d, 1e-8*d*d);
+    // Of a lattice whose outermost places are a spacing apart.
+    EXPECT_NEAR(thin.value(table, "radius"), std::sqrt(100 - 5.5*5.5)*d, 0.1*d);
+    FlowCase sparse("foot { type crossSection; normal (0 0 1); places (5.5e-3); }", onAPlane);
+    std::vector<Vec3> half;
+    for (const Vec3& p : halfBall()) if (std::lround(p.x + p.y + p.z + 100.5) % 2 == 0) half.push_back(p);
+    sparse.step(half);
+    EXPECT_NEAR(sparse.value(table, "radius"), thin.value(table, "radius"), 0.01*thin.value(table, "radius"));
     FlowCase beside("foot { type crossSection; normal (0 0 1); places (2e-2); }", onAPlane);
     beside.step(halfBall());
     EXPECT_EQ(beside.value(table, "area"), 0);
+    EXPECT_EQ(beside.value(table, "radius"), 0);
 }
 
 TEST(Energy, IsThatOfTheHalfBall)

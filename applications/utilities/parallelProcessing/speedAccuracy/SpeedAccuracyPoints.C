@@ -51,25 +51,21 @@ SpeedAccuracy::SpeedAccuracy(const Study& study, const std::string& wantedCost)
     combine_ = error.lookupChoiceOr("combine", {"mean", "rms", "worst"}, "mean");
 
     std::vector<bool> isCombined(study.axes.size());
-    const auto combine = [&](const char* entry, const auto& take)
+    const auto combine = [&](const std::vector<std::string>& names, const SourceLocation& where)
     {
-        if (!error.found(entry)) return;
-        for (const std::string& text : listTexts(error, entry))
-        {
-            const std::size_t axis = study.axis({text, error.where(entry)});
-            isCombined[axis] = true;
-            take(axis);
-        }
+        std::vector<std::size_t> axes;
+        for (const std::string& name : names) axes.push_back(study.axis({name, where}));
+        for (const std::size_t axis : axes) isCombined[axis] = true;
+        return axes;
     };
-    combine("over", [](std::size_t) {});
-    combine("repeats", [&](std::size_t axis) { repeats_.push_back(axis); });
+    if (error.found("over")) combine(listTexts(error, "over"), error.where("over"));
+    if (error.found("repeats")) repeats_ = combine(listTexts(error, "repeats"), error.where("repeats"));
     for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
     {
         if (!isCombined[axis]) shown.push_back(axis);
     }
-    const auto placeOf = [&](const char* entry)
+    const auto placeOf = [&](const std::string& entry, const StudyText& wanted)
     {
-        const StudyText wanted{study.dict.lookup<std::string>(entry), study.dict.where(entry)};
         const auto place = std::find(shown.begin(), shown.end(), study.axis(wanted));
         if (place == shown.end())
         {
@@ -77,8 +73,8 @@ SpeedAccuracy::SpeedAccuracy(const Study& study, const std::string& wantedCost)
         }
         return std::size_t(place - shown.begin());
     };
-    series = placeOf("series");
-    if (study.dict.found("along")) along = placeOf("along");
+    series = placeOf("series", {study.dict.lookup<std::string>("series"), study.dict.where("series")});
+    if (study.dict.found("along")) along = placeOf("along", {study.dict.lookup<std::string>("along"), study.dict.where("along")});
     if (study.dict.found("references")) references = readReferences(study.folder/study.dict.lookup<std::string>("references"));
 }
 

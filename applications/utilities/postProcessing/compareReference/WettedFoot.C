@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace shizuku
 {
@@ -20,7 +21,8 @@ SampledCurve wettedArea(const CaseResults& results)
         {
             throw FatalInputError({results.casePath().string(), 0}, "foot has other planes", "places half a spacing and one and a half above z = 0");
         }
-        area.add(foot.number(row, "time"), std::max(0.0, 1.5*foot.number(row, "area") - 0.5*foot.number(row + 1, "area")));
+        const double radius = std::max(0.0, 1.5*foot.number(row, "radius") - 0.5*foot.number(row + 1, "radius"));
+        area.add(foot.number(row, "time"), std::numbers::pi*radius*radius);
     }
     return area;
 }

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace shizuku
 {
@@ -34,7 +33,7 @@ public:
         bool passed = false;
         for (std::size_t row = 0; row < neck.rows(); ++row)
         {
-            const double t = neck.number(row, "time")/tau, square = neck.number(row, "area")/(std::numbers::pi*radius_*radius_);
+            const double t = neck.number(row, "time")/tau, square = std::pow(neck.number(row, "radius")/radius_, 2);
             trace.addRow({t, std::sqrt(square)});
             if (square > 0.75*0.75) passed = true;
             if (!passed && square > from*from) points.emplace_back(t, square);

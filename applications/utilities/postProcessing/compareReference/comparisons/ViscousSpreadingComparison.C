@@ -2,14 +2,13 @@
 // type viscousSpreading;  age 0.05;  within 4;
 // A drop that gravity spreads over the plane z = 0 against viscosity alone, from the profile on that it would have had when it was that old [s]: its
 // radius against Huppert 1982 (reference/Spreading.H), the largest deviation in percent; and the exponent of the radius over the age, 1/8. The radius
-// is that of a disc of the area in table `foot`, a crossSection half a spacing above the plane. radius.csv holds the trace.
+// is that in table `foot`, a crossSection half a spacing above the plane. radius.csv holds the trace.
 
 #include "Comparison.H"
 #include "PowerLaw.H"
 #include "reference/Spreading.H"
 
 #include <cmath>
-#include <numbers>
 
 namespace shizuku
 {
@@ -29,7 +28,7 @@ public:
         for (std::size_t row = 0; row < foot.rows(); ++row)
         {
             const double time = age_ + foot.number(row, "time");
-            radius = std::sqrt(foot.number(row, "area")/std::numbers::pi);
+            radius = foot.number(row, "radius");
             exact = huppertRadius(results.gravity, results.liquidVolume(), results.nu, time);
             trace.addRow({time, radius, exact});
             if (!(std::abs(100*(radius/exact - 1)) <= std::abs(worst))) worst = 100*(radius/exact - 1);
