@@ -16,8 +16,8 @@ std::string slipReport(const Dictionary& models, double spacing)
     const double given = coeffs.lookupDimensionedOr("slipLength", dimensions::length, 0);
     std::ostringstream text;
     text << "Contact lines slip over ";
-    if (given > spacing) text << given << " m, slipLength";
-    else text << "up to a spacing, " << spacing << " m" << (given > 0 ? ", which slipLength is below" : "");
+    if (given > 0) text << given << " m, slipLength" << (given < spacing ? "; what lies between it and a spacing holds them as a drag" : "");
+    else text << "up to a spacing, " << spacing << " m; slipLength in newtonianCoeffs gives the liquid's own";
     return text.str();
 }
 
