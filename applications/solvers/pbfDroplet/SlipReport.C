@@ -17,7 +17,7 @@ std::string slipReport(const Dictionary& models, double spacing)
     std::ostringstream text;
     text << "Contact lines slip over ";
     if (given > spacing) text << given << " m, slipLength";
-    else text << "up to a spacing, " << spacing << " m" << (given > 0 ? ", which slipLength is below" : "");
+    else text << "up to a spacing, " << spacing << " m" << (given > 0 ? "; slipLength is shorter, and not resolved" : "");
     return text.str();
 }
 

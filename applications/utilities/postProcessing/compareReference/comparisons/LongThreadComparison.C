@@ -2,8 +2,8 @@
 // type longThread;  radius 5e-4;  length 0.036;  within 10;
 // A thread of that radius and length [m] along z from z = 0 on, between planes, that begins at rest with waves of many lengths: the mean of k R over its waves, each
 // weighed by the square of its height, once the radius differs from its mean by a fifth, rms; against the same of waves that have grown from those at the start as
-// long by Rayleigh's rates (reference/CapillaryWave.H), in percent. Waves of k R below 1, which grow, are looked at. Told besides: the mean distance of drops at the end, those at the
-// planes counted as halves, those of less than a quarter of a wavelength's liquid not at all. spectrum.csv holds the heights of the waves, over the radius.
+// long by Rayleigh's rates (reference/CapillaryWave.H), in percent. Waves of k R below 1, which grow, are looked at. And the mean distance of drops at the end against the fastest
+// wave's length, those at the planes counted as halves, those of less than a quarter of a wavelength's liquid not at all. spectrum.csv holds the heights of the waves, over the radius.
 
 #include "Comparison.H"
 #include "CosineMoment.H"
@@ -59,7 +59,7 @@ public:
         {
             relativeRow("k R of the waves that win", "", expected, measured, within_),
             {"time until then", "growth times", none, time*threadGrowth(fastest, results.sigma, results.rho, radius_), none, "", none},
-            relativeRow("distance of the drops", "radii", 2*std::numbers::pi/fastest, length_/radius_/drops(results), none)
+            relativeRow("distance of the drops", "radii", 2*std::numbers::pi/fastest, length_/radius_/drops(results), within_)
         };
     }
 
