@@ -2,8 +2,11 @@
 // What compareReference makes of liquid that moves, by motions that are known.
 
 #include "DropCase.H"
+#include "reference/CapOnWall.H"
+#include "reference/CapillaryRise.H"
 #include "reference/CapillaryWave.H"
 #include "reference/DropOscillation.H"
+#include "reference/MovingContactLine.H"
 #include "reference/Spreading.H"
 #include "support/Process.H"
 
@@ -324,9 +327,75 @@ TEST_F(CompareMotion, ExponentOfTannerAndSpeedOfSliding)
     EXPECT_NEAR(measured("type tanner; within 10;").at("exponent of the radius"), 0.1, 1e-6);
 
     writeTable("drop/0/liquidState.csv", "centroidX [m]", 1, 0.01, [&](double t) { return text(t < 0.3 ? 0 : 2e-3*(t - 0.3)); });
-    const auto slide = measured("type slide;");
-    EXPECT_NEAR(slide.at("capillary number of sliding"), rho*nu*2e-3/sigma, 1e-9);
+    // Under the weight that goes with a slip length of 0.3 spacings.
+    const double ca = rho*nu*2e-3/sigma, base = std::sin(std::numbers::pi/3)*capRadius(60)*radius(ball());
+    const double force = slidingForce(60, ca, std::log(base/(0.3*spacing)));
+    write("constant/models", "bodyForce gravity;\n");
+    write("constant/g", "value (" + text(force*sigma*base/(rho*volume(ball()))) + " 0 0);\n");
+    const auto slide = measured("type slide; theta 60;");
+    EXPECT_NEAR(slide.at("capillary number of sliding"), ca, 1e-9);
     EXPECT_NEAR(slide.at("change of the speed"), 0, 1e-6);
+    EXPECT_NEAR(slide.at("slip length by the speed"), 0.3, 1e-4);       // nine digits of the angle's differences, 1e-4 of it
+}
+
+// A tube of 0.5 mm in a dish of 2 mm, so many particles in it as the equation has liquid there: to one of them, 3 um or 0.03 % of Jurin's height.
+TEST_F(CompareMotion, HeightOfALiquidThatRises)
+{
+    write("constant/models", "bodyForce gravity;\n");
+    write("constant/g", "value (0 0 -9.81);\n");
+    const double bore = 5e-4, mouth = 4e-4, one = spacing*spacing*spacing, within = std::numbers::pi*bore*bore, dish = 16*within;
+    const double around = dish - 4*within, depth = 1e-3;
+    const CapillaryRise rise{bore, 60, rho, nu, sigma, 9.81, depth, within/around};
+    const std::vector<double> times{0, 0.01, 0.02, 0.03, 0.05};
+    const std::vector<double> height = rise.heights(0, times);
+    const auto all = std::size_t((dish*mouth + (within + around)*depth)/one + 0.5);
+    for (std::size_t i = 0; i < times.size(); ++i)
+    {
+        std::vector<Vector3> places(all, {1.5e-3, 0, 0});
+        const auto rose = std::size_t((depth + height[i])*within/one + 0.5);
+        for (std::size_t j = 0; j < rose; ++j) places.at(j) = {0, 0, 1e-3};
+        writeLiquid(text(times[i]), places);
+    }
+    const std::string tube = "type capillaryRise; radius 5e-4; outer 1e-3; dish 2e-3; mouth 4e-4; within 5; theta ";
+    const auto found = measured(tube + "60;");
+    EXPECT_LT(found.at("rms difference of the rise"), 0.1);
+    EXPECT_NEAR(found.at("last height"), height.back(), 3e-6);
+    EXPECT_GT(measured(tube + "70;").at("rms difference of the rise"), 10);
+}
+
+// Waves that have grown by Rayleigh's rates, of a thread of three wavelengths, half a percent high at first; then two drops and two halves, each of 512 particles.
+TEST_F(CompareMotion, WavesThatWinOnALongThread)
+{
+    const double thread = 4*spacing, length = 27*thread;
+    const auto shifted = [&](double time)
+    {
+        std::vector<Vector3> places;
+        for (int i = 0; i < 400; ++i)
+        {
+            const double z = (i + 0.5)*length/400;
+            double along = 0;
+            for (int m = 1; m < 9; ++m)
+            {
+                const double k = m*std::numbers::pi/length;
+                along -= 2*(m%2 ? 0.005 : -0.005)/k*std::cosh(threadGrowth(k*thread, sigma, rho, thread)*time)*std::sin(k*z);
+            }
+            places.push_back({0, 0, z + along});
+        }
+        return places;
+    };
+    const double growth = threadGrowth(0.697, sigma, rho, thread);
+    for (int i = 0; i <= 16; ++i) writeLiquid(text(0.25*i/growth), shifted(0.25*i/growth));
+    std::vector<Vector3> drops;
+    for (const double z : {0.0, 9*thread, 18*thread, 27*thread - 8*spacing})
+    {
+        for (int i = 0; i < 512; ++i) drops.push_back({(i%8)*spacing, (i/8%8)*spacing, z + (i/64 + 0.5)*spacing});
+    }
+    writeLiquid(text(5/growth), drops);
+    const auto found = measured("type longThread; radius " + text(thread) + "; length " + text(length) + "; within 10;");
+    const auto row = table("postProcessing/compareReference/comparison.csv").at(0);
+    EXPECT_NEAR(number(row.at("deviation")), 0, 4);         // of second order in waves a fifth of the radius high
+    EXPECT_NEAR(found.at("k R of the waves that win"), 0.697, 0.06);
+    EXPECT_NEAR(found.at("distance of the drops"), 9, 1e-9);
 }
 
 }
