@@ -10,7 +10,7 @@
 namespace shizuku::test
 {
 
-TEST(PlacedBalls, areApartInsideTheBoxAndTheSameForASeed)
+TEST(PlacedBalls, AreApartInsideTheBoxAndTheSameForASeed)
 {
     const Bounds box{{1, 2, 3}, {11, 12, 8}};
     const std::vector<double> radii = {0.4, 0.2, 1, 0.3};
@@ -36,7 +36,7 @@ TEST(PlacedBalls, areApartInsideTheBoxAndTheSameForASeed)
 }
 
 // What the standard says of its engine, and nothing that a machine rounds: whole multiples of 2^-40 of the longest edge.
-TEST(PlacedBalls, placesAreTheSameOnEveryMachine)
+TEST(PlacedBalls, PlacesAreTheSameOnEveryMachine)
 {
     const PlacedBalls one({{0, 0, 0}, {1, 1, 1}}, {0.25}, 0, 1, "test");
     std::mt19937_64 random(1);
@@ -47,7 +47,7 @@ TEST(PlacedBalls, placesAreTheSameOnEveryMachine)
     }
 }
 
-TEST(PlacedBalls, thoseThatFindNoPlaceAreLeftOut)
+TEST(PlacedBalls, ThoseThatFindNoPlaceAreLeftOut)
 {
     const PlacedBalls balls({{0, 0, 0}, {4, 4, 4}}, std::vector<double>(64, 0.9), 0.2, 1, "test");
     EXPECT_EQ(balls.wanted(), 64u);
@@ -68,7 +68,7 @@ std::unique_ptr<DropSizes> sizes(const std::string& text)
 
 }
 
-TEST(DropSizes, followTheirDistributions)
+TEST(DropSizes, FollowTheirDistributions)
 {
     EXPECT_EQ(sizes("type oneSize; diameter 2e-3;")->diameter(0.7), 2e-3);
 
@@ -109,7 +109,7 @@ const std::string boxOfDrops = "type drops; min (0 0 0); max (0.02 0.02 0.02); g
 
 }
 
-TEST(DropsBody, holdsTheNumberOrTheVolumeThatIsAskedFor)
+TEST(DropsBody, HoldsTheNumberOrTheVolumeThatIsAskedFor)
 {
     // 200 balls of 1 mm, of 524 particles of 0.1 mm each.
     const auto number = makeBody(boxOfDrops + "number 200; sizes { type oneSize; diameter 1e-3; }");
@@ -124,7 +124,7 @@ TEST(DropsBody, holdsTheNumberOrTheVolumeThatIsAskedFor)
     EXPECT_NEAR(depth->volume(), 2e-4*4e-4, 0.5*std::numbers::pi/6*8e-9);
 }
 
-TEST(DropsBody, eachDropFallsAtItsOwnSpeed)
+TEST(DropsBody, EachDropFallsAtItsOwnSpeed)
 {
     const ScratchFolder folder;
     folder.write("constant/models", "bodyForce gravity;");
@@ -146,7 +146,7 @@ TEST(DropsBody, eachDropFallsAtItsOwnSpeed)
     EXPECT_EQ(small/524 + large/4189, 50u);
 }
 
-TEST(DropsBody, refusesWhatItCannotDo)
+TEST(DropsBody, RefusesWhatItCannotDo)
 {
     const auto message = [&](const std::string& text) { return messageOf([&] { makeBody(boxOfDrops + text); }); };
     const std::string one = " sizes { type oneSize; diameter 1e-3; }";

@@ -18,7 +18,7 @@ void expectCount(const LiquidBody& body)
 
 }
 
-TEST(LiquidBodies, boxStartsHalfASpacingFromItsCorner)
+TEST(LiquidBodies, BoxStartsHalfASpacingFromItsCorner)
 {
     const auto box = makeBody("type box; min (1 2 3); max (5 5 5);");
     EXPECT_DOUBLE_EQ(box->volume(), 4*3*2);
@@ -28,7 +28,7 @@ TEST(LiquidBodies, boxStartsHalfASpacingFromItsCorner)
     EXPECT_EQ(points.back(), Vector3(4.75, 4.75, 4.75));
 }
 
-TEST(LiquidBodies, countsFollowTheVolumes)
+TEST(LiquidBodies, CountsFollowTheVolumes)
 {
     const double pi = std::numbers::pi;
     const auto sphere = makeBody("type sphere; centre (1e-3 0 0); radius 8;");
@@ -49,7 +49,7 @@ TEST(LiquidBodies, countsFollowTheVolumes)
 }
 
 // A spacing that divides no edge: 10.4, 7.3 and 5.7 of them.
-TEST(LiquidBodies, boxOfBrokenSpacingsHasItsVolumeInWholeRows)
+TEST(LiquidBodies, BoxOfBrokenSpacingsHasItsVolumeInWholeRows)
 {
     const auto box = makeBody("type box; min (0 0 0); max (10.4 7.3 5.7);");
     expectCount(*box);
@@ -66,7 +66,7 @@ TEST(LiquidBodies, boxOfBrokenSpacingsHasItsVolumeInWholeRows)
     EXPECT_EQ(layers.rbegin()->second, 433 - 6*70);
 }
 
-TEST(LiquidBodies, incompleteLayersAreSpreadEvenly)
+TEST(LiquidBodies, IncompleteLayersAreSpreadEvenly)
 {
     // A film of 0.4 spacings: in each quarter two fifths of the cells, to a few particles.
     const auto points = fillLattice(*makeBody("type cylinder; point (0 0 0); axis (0 0 1); radius 20; height 0.4;"), 1, {});
@@ -81,7 +81,7 @@ TEST(LiquidBodies, incompleteLayersAreSpreadEvenly)
     EXPECT_NEAR(front, 251, 15);
 }
 
-TEST(LiquidBodies, latticesAreCentred)
+TEST(LiquidBodies, LatticesAreCentred)
 {
     Vector3 mean;
     const auto points = fillLattice(*makeBody("type sphere; centre (0 0 0); radius 5.2;"), 1, {});
@@ -92,7 +92,7 @@ TEST(LiquidBodies, latticesAreCentred)
     EXPECT_NEAR(length(mean/double(points.size())), 0, 0.06);
 }
 
-TEST(LiquidBodies, capHasItsVolumeItsAngleAndStandsOnThePlane)
+TEST(LiquidBodies, CapHasItsVolumeItsAngleAndStandsOnThePlane)
 {
     for (const double angle : {30.0, 60.0, 90.0, 120.0, 180.0})
     {
@@ -125,7 +125,7 @@ TEST(LiquidBodies, capHasItsVolumeItsAngleAndStandsOnThePlane)
     }
 }
 
-TEST(LiquidBodies, tiltedCapHasTheLatticeOfItsWall)
+TEST(LiquidBodies, TiltedCapHasTheLatticeOfItsWall)
 {
     const Vector3 normal = normalized({1, 2, 3});
     const auto points = fillLattice
@@ -140,7 +140,7 @@ TEST(LiquidBodies, tiltedCapHasTheLatticeOfItsWall)
     }
 }
 
-TEST(LiquidBodies, badBodiesAreRefused)
+TEST(LiquidBodies, BadBodiesAreRefused)
 {
     EXPECT_TRUE(holds(messageOf([] { makeBody("type blob;"); }), {"blob", "sphere", "cylinder", "cap", "box"}));
     EXPECT_TRUE(holds(messageOf([] { makeBody("type sphere; centre (0 0 0); radius -1;"); }), {"radius", "-1"}));

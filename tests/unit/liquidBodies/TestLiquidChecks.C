@@ -30,7 +30,7 @@ SolidParticles floorParticles(int n)
 
 }
 
-TEST(LiquidChecks, liquidOnAPlaneIsAcceptedAndBelowItRefused)
+TEST(LiquidChecks, LiquidOnAPlaneIsAcceptedAndBelowItRefused)
 {
     const auto walls = readAnalyticSurfaces(Dictionary::parse("floor { type plane; point (0 0 0); normal (0 0 1); }"));
     const auto keepOut = [&](FilledBody body) { keepOutOfWalls(body, walls, 1); };
@@ -56,7 +56,7 @@ TEST(LiquidChecks, liquidOnAPlaneIsAcceptedAndBelowItRefused)
     EXPECT_TRUE(holds(messageOf([&] { keepOutOfWalls(below, walls, 1); }), {"32 of the 32"}));
 }
 
-TEST(LiquidChecks, liquidOnSolidParticlesIsAcceptedAndBehindThemRefused)
+TEST(LiquidChecks, LiquidOnSolidParticlesIsAcceptedAndBehindThemRefused)
 {
     const SolidParticles solid = floorParticles(10);
     const auto keepOut = [&](FilledBody body) { keepOutOfSolid({&body, 1}, solid, 1); };
@@ -78,7 +78,7 @@ TEST(LiquidChecks, liquidOnSolidParticlesIsAcceptedAndBehindThemRefused)
     EXPECT_NO_THROW(keepOut(fill("drop", "type box; min (14 0 -6); max (18 4 -4);", 1)));
 }
 
-TEST(LiquidChecks, overlappingBodiesAreRefused)
+TEST(LiquidChecks, OverlappingBodiesAreRefused)
 {
     std::vector<FilledBody> bodies;
     bodies.push_back(fill("left", "type box; min (0 0 0); max (4 4 4);", 1));
@@ -107,7 +107,7 @@ TEST(LiquidChecks, overlappingBodiesAreRefused)
     }
 }
 
-TEST(LiquidChecks, thoseThatGiveWayToSeveralBodiesLoseEachParticleOnce)
+TEST(LiquidChecks, ThoseThatGiveWayToSeveralBodiesLoseEachParticleOnce)
 {
     // Two rods through a cube: one takes 2 x 2 x 6 of it, the other one as many, 2 x 2 x 2 of which are gone already.
     std::vector<FilledBody> bodies;
@@ -125,14 +125,14 @@ TEST(LiquidChecks, thoseThatGiveWayToSeveralBodiesLoseEachParticleOnce)
     EXPECT_TRUE(holds(bodies[2].leftOut[1], {"16 particles", "'cube'"}));
 }
 
-TEST(LiquidChecks, boxesThatMeetAreFound)
+TEST(LiquidChecks, BoxesThatMeetAreFound)
 {
     const std::vector<Bounds> boxes{{{0, 0, 0}, {2, 2, 2}}, {{3, 0, 0}, {5, 2, 2}}, {{2, 0, 0}, {4, 1, 1}}, {{0, 0, 3}, {9, 9, 9}}};
     const std::vector<std::vector<std::size_t>> expected{{}, {}, {0, 1}, {}};
     EXPECT_EQ(earlierBoxesThatMeet(boxes), expected);
 }
 
-TEST(LiquidChecks, workGrowsWithTheDropsNotWithTheirPairs)
+TEST(LiquidChecks, WorkGrowsWithTheDropsNotWithTheirPairs)
 {
     // Time of the comparison of n^3 drops of 56 particles in a lattice whose gaps are less than a spacing: neighbours' boxes meet.
     const auto seconds = [](int n)
@@ -152,7 +152,7 @@ TEST(LiquidChecks, workGrowsWithTheDropsNotWithTheirPairs)
     EXPECT_LT(seconds(12), 32*seconds(6));
 }
 
-TEST(FilledBody, turnsAboutItsCentroid)
+TEST(FilledBody, TurnsAboutItsCentroid)
 {
     FilledBody body = fill("drop", "type box; min (1 1 1); max (3 5 7);", 1);
     body.velocity = {0, 0, -1};

@@ -16,7 +16,7 @@ void writeSurface(const ScratchFolder& folder, const PatchedSurface& surface)
 
 }
 
-TEST(SurfaceBody, fillsTheInsideOfAClosedSurfaceToItsVolume)
+TEST(SurfaceBody, FillsTheInsideOfAClosedSurfaceToItsVolume)
 {
     const ScratchFolder folder;
     writeSurface(folder, sphere(8, 3));
@@ -29,7 +29,7 @@ TEST(SurfaceBody, fillsTheInsideOfAClosedSurfaceToItsVolume)
     for (const Vector3& x : points) EXPECT_LT(length(x - Vector3(10, 0, 0)), 4.25);
 }
 
-TEST(SurfaceBody, standsOnThePlaneUnderIt)
+TEST(SurfaceBody, StandsOnThePlaneUnderIt)
 {
     const ScratchFolder folder;
     writeSurface(folder, cube(4));
@@ -38,7 +38,7 @@ TEST(SurfaceBody, standsOnThePlaneUnderIt)
     EXPECT_EQ(points.front(), Vector3(0.5, 0.5, 0.5));
 }
 
-TEST(SurfaceBody, inwardFacesAreTheSameAndAShellInsideIsABubble)
+TEST(SurfaceBody, InwardFacesAreTheSameAndAShellInsideIsABubble)
 {
     const ScratchFolder folder;
     PatchedSurface box = cube(6);
@@ -58,7 +58,7 @@ TEST(SurfaceBody, inwardFacesAreTheSameAndAShellInsideIsABubble)
     for (const Vector3& x : points) EXPECT_GT(std::max({std::abs(x.x - 3), std::abs(x.y - 3), std::abs(x.z - 3)}), 1);
 }
 
-TEST(SurfaceBody, surfacesThatEncloseNothingAreRefused)
+TEST(SurfaceBody, SurfacesThatEncloseNothingAreRefused)
 {
     const ScratchFolder folder;
     const auto message = [&](const std::string& text)
