@@ -34,10 +34,10 @@ if(SHIZUKU_CUDA)
 endif()
 if(SHIZUKU_CUDA AND CMAKE_CUDA_COMPILER)
     if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
-        # The GPU of this machine; without one, Hopper's code, and PTX that newer chips compile at start. For packages all that nvcc 13 knows, Turing
-        # to Blackwell, and PTX.
+        # The GPU of this machine; without one, Hopper's code, and PTX that newer chips compile at start. For packages one of each generation that
+        # nvcc 13 knows, Turing to Blackwell, and PTX: cards of 8.6 and 8.9 run the code of 8.0, those of 10.3 and 12.1 that of 10.0 and 12.0.
         if(NOT SHIZUKU_NATIVE)
-            set(CMAKE_CUDA_ARCHITECTURES 75-real 80-real 86-real 89-real 90-real 100-real 120)
+            set(CMAKE_CUDA_ARCHITECTURES 75-real 80-real 90-real 100-real 120)
         elseif(SHIZUKU_GPU)
             set(CMAKE_CUDA_ARCHITECTURES native)
         else()

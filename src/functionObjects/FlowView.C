@@ -35,22 +35,12 @@ void FlowView::computeDensities()
 void FlowView::cut(std::unique_ptr<Liquid> whole)
 {
     whole_ = std::move(whole);
-    allParticles_ = countAll();
+    allParticles_ = liquid_.parts().count(liquid_.owned());
 }
 
 void FlowView::recount()
 {
-    if (allParticles_) allParticles_ = countAll();
-}
-
-int FlowView::countAll() const
-{
-    struct Count
-    {
-        int particles = 0;
-        void add(const Count& other) { particles += other.particles; }
-    };
-    return liquid_.parts().fold(Count{liquid_.owned()}).particles;
+    if (allParticles_) allParticles_ = liquid_.parts().count(liquid_.owned());
 }
 
 void FlowView::gather()

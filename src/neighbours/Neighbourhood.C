@@ -9,12 +9,6 @@ namespace shizuku
 namespace
 {
 
-struct Count
-{
-    int particles = 0;
-    void add(const Count& other) { particles += other.particles; }
-};
-
 // A fifth more than the particles of a full neighbourhood.
 int usualNeighbours(const Liquid& liquid)
 {
@@ -52,7 +46,7 @@ void Neighbourhood::search(Liquid& liquid, scalar wideSupport)
     if (parts_)
     {
         liquid.ghosts().reorder(order);
-        if (particlesOfAll_ == 0) particlesOfAll_ = liquid.parts().fold(Count{liquid.owned()}).particles;
+        if (particlesOfAll_ == 0) particlesOfAll_ = liquid.parts().count(liquid.owned());
         keys_ = grid_.keys(liquid.predicted.span(), liquid.owned(), particlesOfAll_);
     }
     const Span<const Position> points = liquid.predicted.span();

@@ -26,7 +26,7 @@ struct PatchKeeper : PMP::internal::Snapping_default_visitor<RepairMesh>
     void after_split_face(Halfedge one, Halfedge other, RepairMesh& mesh)
     {
         RepairPatches patches = patchesOf(mesh);
-        const auto [old, added] = std::minmax(mesh.face(one), mesh.face(other));
+        const auto [old, added] = std::minmax({mesh.face(one), mesh.face(other)});
         patches[added] = patches[old];
     }
 };

@@ -64,7 +64,7 @@ class Corpus : public testing::TestWithParam<FuzzTarget> {};
 
 }
 
-TEST_P(Corpus, isTakenOrRefused)
+TEST_P(Corpus, IsTakenOrRefused)
 {
     constexpr int mutations = 2000;
     constexpr double slow = 10;         // s, for one input: it takes below a millisecond

@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(Devices, AdviseCase, testing::ValuesIn(devices()));
 
 }
 
-TEST_P(AdviseCase, sessileDropAsItIsShipped)
+TEST_P(AdviseCase, SessileDropAsItIsShipped)
 {
     copyTutorial("sessileDrop");
     const Contents kept = contents();
@@ -57,7 +57,7 @@ TEST_P(AdviseCase, sessileDropAsItIsShipped)
 
 // The tutorial's half sphere on a wall of 140 degrees: (2 - cos theta) 2^(2/3)/4 = 1.1 times a free ball's energy, 1.07 with the weight
 // that the advice switches on.
-TEST_P(AdviseCase, startThatMayJumpOffIsTold)
+TEST_P(AdviseCase, StartThatMayJumpOffIsTold)
 {
     copyTutorial("sessileDrop");
     write("constant/wettability", "floor { theta 140; }\n");
@@ -69,7 +69,7 @@ TEST_P(AdviseCase, startThatMayJumpOffIsTold)
 }
 
 // Its function object asks for the wall, which is not sampled yet.
-TEST_P(AdviseCase, wallsThatAreNotSampledAreNotMissed)
+TEST_P(AdviseCase, WallsThatAreNotSampledAreNotMissed)
 {
     copyTutorial("liveAngle");
     const Outcome outcome = advise();
@@ -77,7 +77,7 @@ TEST_P(AdviseCase, wallsThatAreNotSampledAreNotMissed)
     EXPECT_TRUE(holds(outcome.text, {"The walls are not sampled", "take a plane for 'floor'", "contact angle of 90 degrees"}));
 }
 
-TEST_P(AdviseCase, appliedAdviceRuns)
+TEST_P(AdviseCase, AppliedAdviceRuns)
 {
     copyTutorial("sessileDrop");
     // Steps of the usual length, in place of the tutorial's, which are as long as the advice has them.
@@ -111,7 +111,7 @@ TEST_P(AdviseCase, appliedAdviceRuns)
     EXPECT_TRUE(holds(advise("-apply").text, {"Nothing to change"}));
 }
 
-TEST_P(AdviseCase, predictsWhatTheSolverNeeds)
+TEST_P(AdviseCase, PredictsWhatTheSolverNeeds)
 {
     // Solid particles and all. A run of a few sub-steps, which are all timed.
     control("functions { surface { type volume; } }");
@@ -144,7 +144,7 @@ TEST_P(AdviseCase, predictsWhatTheSolverNeeds)
 }
 
 // The same advice as before the run: no time is left of it, and at its end another liquid.
-TEST_P(AdviseCase, aRunThatIsOverIsJudgedByItsStart)
+TEST_P(AdviseCase, ARunThatIsOverIsJudgedByItsStart)
 {
     const auto adviceOf = [](const std::string& text)
     {
@@ -162,7 +162,7 @@ TEST_P(AdviseCase, aRunThatIsOverIsJudgedByItsStart)
 }
 
 // Advice is given all the same.
-TEST_P(AdviseCase, aCaseThatTheSolverRefusesHasNoTime)
+TEST_P(AdviseCase, ACaseThatTheSolverRefusesHasNoTime)
 {
     write("system/solution", "spacing 1.25e-3;\n");         // of particles that stand 1 mm apart
     const Contents kept = contents();
@@ -173,7 +173,7 @@ TEST_P(AdviseCase, aCaseThatTheSolverRefusesHasNoTime)
         "pbfDroplet stopped:", "overlapping itself", "0.8 spacings", "\nEnd\n"}));
 }
 
-TEST_P(AdviseCase, badInputIsRefused)
+TEST_P(AdviseCase, BadInputIsRefused)
 {
     const auto refused = [&](const std::string& arguments, const std::vector<std::string>& parts)
     {

@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Devices, CheckCase, testing::ValuesIn(devices()));
 
 }
 
-TEST_P(CheckCase, aGoodCaseIsMeasuredAndLeftAlone)
+TEST_P(CheckCase, AGoodCaseIsMeasuredAndLeftAlone)
 {
     fill({0, 0, -0.5});
     const Contents kept = contents();
@@ -70,7 +70,7 @@ TEST_P(CheckCase, aGoodCaseIsMeasuredAndLeftAlone)
     EXPECT_GT(numberBehind(text, "memory on the device : "), 0);
 }
 
-TEST_P(CheckCase, separateBodiesAreTold)
+TEST_P(CheckCase, SeparateBodiesAreTold)
 {
     // A second, smaller block: read from one list with the first one.
     const std::string positions = read("0/liquid/positions"), U = read("0/liquid/U");
@@ -95,7 +95,7 @@ TEST_P(CheckCase, separateBodiesAreTold)
         "mean velocity (0 0 1) m/s", "*Warning: body 2 of 2, 27 particles, is coarse"}));
 }
 
-TEST_P(CheckCase, allErrorsAreReportedAtOnce)
+TEST_P(CheckCase, AllErrorsAreReportedAtOnce)
 {
     control("endTime 4e-3; functions { a { type liquidStat; } }");
     write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma -1;\n");
@@ -119,7 +119,7 @@ TEST_P(CheckCase, allErrorsAreReportedAtOnce)
     expectFailures(7, {"'contactAngel'"});
 }
 
-TEST_P(CheckCase, missingParts)
+TEST_P(CheckCase, MissingParts)
 {
     remove("system/solution");
     remove("constant/models");
@@ -136,7 +136,7 @@ TEST_P(CheckCase, missingParts)
 
 // Angles that were edited after sampleTheta ran: the solver, too, warns and keeps those of 0/solid/theta. What sampleTheta would refuse
 // before it ran.
-TEST_P(CheckCase, contactAngles)
+TEST_P(CheckCase, ContactAngles)
 {
     write("constant/wettability", "floor { theta 200; }\nside { theta 90; }\n");
     Outcome outcome = check();
@@ -154,7 +154,7 @@ TEST_P(CheckCase, contactAngles)
 }
 
 // The weight is not known where the models could not be made.
-TEST_P(CheckCase, noBondNumberWithoutModels)
+TEST_P(CheckCase, NoBondNumberWithoutModels)
 {
     EXPECT_TRUE(holds(check().text, {"Bond number"}));
     write("constant/models", "pressure pbf;\nsurfaceTension Fujisawa2014;\nwetting contactAngle;\nviscosity XSPH;\nbodyForce gravty;\n");
@@ -165,14 +165,14 @@ TEST_P(CheckCase, noBondNumberWithoutModels)
 }
 
 // Of water XSPH may know nothing; of what is ten thousand times as thick it is told.
-TEST_P(CheckCase, aViscosityThatDoesNotActIsTold)
+TEST_P(CheckCase, AViscosityThatDoesNotActIsTold)
 {
     EXPECT_EQ(check().text.find("does not act"), std::string::npos);
     write("constant/liquidProperties", "rho 998;\nnu 1e-2;\nsigma 0.0728;\n");
     EXPECT_TRUE(holds(check().text, {"*Warning: nu, 0.01 m2/s, does not act with viscosity XSPH"}));
 }
 
-TEST_P(CheckCase, modelsAreListed)
+TEST_P(CheckCase, ModelsAreListed)
 {
     remove("system/controlDict");
     for (const std::string program : {"checkCase", "pbfDroplet"})
@@ -183,7 +183,7 @@ TEST_P(CheckCase, modelsAreListed)
     }
 }
 
-TEST_P(CheckCase, particlesOfAnotherSpacing)
+TEST_P(CheckCase, ParticlesOfAnotherSpacing)
 {
     write("system/solution", "spacing 0.5e-3;\n");
     expectFailures
@@ -193,7 +193,7 @@ TEST_P(CheckCase, particlesOfAnotherSpacing)
     );
 }
 
-TEST_P(CheckCase, overlappingLiquid)
+TEST_P(CheckCase, OverlappingLiquid)
 {
     write("system/solution", "spacing 1.25e-3;\n");
     expectFailures(1, {"overlapping itself", "0.8 spacings", "0/liquid/positions"});
@@ -204,7 +204,7 @@ TEST_P(CheckCase, overlappingLiquid)
 }
 
 // 294 particles: (3*294/(4 pi))^(1/3) = 4.12 spacings a radius. The solver says once what checkCase does.
-TEST_P(CheckCase, coarseLiquidIsSaidByTheSolverToo)
+TEST_P(CheckCase, CoarseLiquidIsSaidByTheSolverToo)
 {
     const std::string text = "body 1 of 1, 294 particles, is coarse, 4.12";
     EXPECT_TRUE(holds(check().text, {"*Warning: " + text}));
@@ -216,14 +216,14 @@ TEST_P(CheckCase, coarseLiquidIsSaidByTheSolverToo)
     EXPECT_EQ(solve().text.find("WARNING"), std::string::npos);
 }
 
-TEST_P(CheckCase, aTensionInAnotherUnitIsAskedAbout)
+TEST_P(CheckCase, ATensionInAnotherUnitIsAskedAbout)
 {
     EXPECT_EQ(check().text.find("is that meant?"), std::string::npos);
     write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma 72.8;\n");
     EXPECT_TRUE(holds(check().text, {"sigma is 72.8 N/m: is that meant? Water has 0.0728 N/m"}));
 }
 
-TEST_P(CheckCase, utilitiesDictionariesAndSteps)
+TEST_P(CheckCase, UtilitiesDictionariesAndSteps)
 {
     write("system/fillLiquidDict", "bodies { drop { type sphere; centre (0 0 0); raduis 1; } }");
     expectFailures(1, {"'radius' is missing", "Did you mean 'raduis'"});

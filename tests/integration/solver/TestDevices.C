@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(BesideTheCpu, Devices, testing::ValuesIn(devicesBesideT
 
 }
 
-TEST_P(Devices, agreeOnOneStep)
+TEST_P(Devices, AgreeOnOneStep)
 {
     fill({0.2, 0, -0.3});
     // A fixed number of iterations: a threshold that one device just misses would not be rounding.
@@ -78,7 +78,7 @@ TEST_P(Devices, agreeOnOneStep)
     EXPECT_GT(fastest, 0.1);
 }
 
-TEST_P(Devices, agreeOnTheSurface)
+TEST_P(Devices, AgreeOnTheSurface)
 {
     ASSERT_EQ(on("cpu", "meshSurface").status, 0);
     const TriangleMesh first = readPly(path()/"0/surface/liquid.ply");

@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Devices, MeshSurface, testing::ValuesIn(devices()));
 
 }
 
-TEST_P(MeshSurface, enclosesTheLiquid)
+TEST_P(MeshSurface, EnclosesTheLiquid)
 {
     const Outcome outcome = call("meshSurface", "-time 0");
     ASSERT_EQ(outcome.status, 0) << outcome.text;
@@ -62,7 +62,7 @@ TEST_P(MeshSurface, enclosesTheLiquid)
     }
 }
 
-TEST_P(MeshSurface, saysWhatAMeshTakes)
+TEST_P(MeshSurface, SaysWhatAMeshTakes)
 {
     const Outcome outcome = call("meshSurface", "-time 0 -repeats 3");
     ASSERT_EQ(outcome.status, 0) << outcome.text;
@@ -71,7 +71,7 @@ TEST_P(MeshSurface, saysWhatAMeshTakes)
     for (const std::string number : {"-1", "2.5"}) expectMeshRefusal({"-repeats", number, "0 to 1000000"}, "-time 0 -repeats " + number);
 }
 
-TEST_P(MeshSurface, meshesTheTimesAskedFor)
+TEST_P(MeshSurface, MeshesTheTimesAskedFor)
 {
     expectMeshes("", {"0", "0.001", "0.002"});
     expectMeshes("-latestTime", {"0.002"});
@@ -80,7 +80,7 @@ TEST_P(MeshSurface, meshesTheTimesAskedFor)
     expectMeshRefusal({"-latestTime and -time"}, "-time 0 -latestTime");
 }
 
-TEST_P(MeshSurface, writesTheFormatsAskedFor)
+TEST_P(MeshSurface, WritesTheFormatsAskedFor)
 {
     ASSERT_EQ(call("meshSurface", "-time 0 -formats '(stl obj)'").status, 0);
     EXPECT_TRUE(exists("0/surface/liquid.stl") && exists("0/surface/liquid.obj"));
@@ -94,7 +94,7 @@ TEST_P(MeshSurface, writesTheFormatsAskedFor)
     EXPECT_FALSE(exists("0.001/surface/liquid.stl"));
 }
 
-TEST_P(MeshSurface, conservesTheVolumeWhereAsked)
+TEST_P(MeshSurface, ConservesTheVolumeWhereAsked)
 {
     write("system/meshSurfaceDict", "conserveVolume yes;");
     const Outcome outcome = call("meshSurface", "-time 0");
@@ -110,7 +110,7 @@ TEST_P(MeshSurface, conservesTheVolumeWhereAsked)
     EXPECT_TRUE(holds(call("meshSurface", "-time 0").text, {"left there: N d^3 is more than half a spacing away"}));
 }
 
-TEST_P(MeshSurface, badInputIsRefused)
+TEST_P(MeshSurface, BadInputIsRefused)
 {
     expectMeshRefusal({"Unknown surface format", "'plyy'", "Did you mean 'ply'", "obj", "stl"}, "-formats '(stl plyy)'");
     expectMeshRefusal({"No format is chosen", "ply", "stl"}, "-formats '()'");
@@ -138,7 +138,7 @@ TEST_P(MeshSurface, badInputIsRefused)
     expectMeshRefusal({"None of the selected times holds liquid", "<time>/liquid/positions"}, "-time 0");
 }
 
-TEST_P(MeshSurface, aFullDiskLeavesNothing)
+TEST_P(MeshSurface, AFullDiskLeavesNothing)
 {
     const std::string full = "ulimit -f 16; trap '' XFSZ;";
     expectRefusal({"Cannot write", "liquid.ply", "File too large"}, "-time 0", full, "meshSurface");

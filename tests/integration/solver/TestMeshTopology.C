@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Devices, MeshTopology, testing::ValuesIn(devices()));
 
 // A half sphere of 2000 particles: one closed surface that looks outward, does not meet itself and holds the particles'
 // volume within 1 %.
-TEST_P(MeshTopology, ofADrop)
+TEST_P(MeshTopology, OfADrop)
 {
     const double radius = std::cbrt(3*2000/(2*std::numbers::pi));
     std::vector<Vector3> places;
@@ -83,7 +83,7 @@ TEST_P(MeshTopology, ofADrop)
 }
 
 // Scattered, torn liquid of one to twenty particles: every case of cells, and still surfaces that bound a volume.
-TEST_P(MeshTopology, ofSpray)
+TEST_P(MeshTopology, OfSpray)
 {
     std::vector<Vector3> places;
     for (const Vec3& p : randomPoints(1500, {0, 0, 0}, {14, 14, 14})) places.emplace_back(p.x, p.y, p.z);

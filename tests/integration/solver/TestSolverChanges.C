@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Devices, Changes, testing::ValuesIn(devices()));
 }
 
 // sigma, gravity, theta of the analytic and of the sampled wall at once: the run goes on as one that is restarted with them.
-TEST_P(Changes, actAsARestartWithThemWould)
+TEST_P(Changes, ActAsARestartWithThemWould)
 {
     const std::string theta = read("0/solid/theta");
     const auto edit = [&]
@@ -129,7 +129,7 @@ TEST_P(Changes, actAsARestartWithThemWould)
     EXPECT_FALSE(same(live, liquidAfter(all)));
 }
 
-TEST_P(Changes, ofSolidThetaBySampleTheta)
+TEST_P(Changes, OfSolidThetaBySampleTheta)
 {
     const std::string log = editedRun
     (
@@ -145,7 +145,7 @@ TEST_P(Changes, ofSolidThetaBySampleTheta)
 }
 
 // Angles that were changed in a run stay when something else is changed, and go on with a run from its last time; sampleTheta tells of them.
-TEST_P(Changes, ofAnglesOutlastOtherChangesAndTheRun)
+TEST_P(Changes, OfAnglesOutlastOtherChangesAndTheRun)
 {
     begin("runTimeModifiable yes;");
     Process process(command("pbfDroplet", ""), folder_.path()/"log");
@@ -175,7 +175,7 @@ TEST_P(Changes, ofAnglesOutlastOtherChangesAndTheRun)
 }
 
 // An edit that was left out because another file was wrong acts once that one is mended.
-TEST_P(Changes, waitForAnotherFileToBeMended)
+TEST_P(Changes, WaitForAnotherFileToBeMended)
 {
     begin("runTimeModifiable yes;");
     Process process(command("pbfDroplet", ""), folder_.path()/"log");
@@ -201,7 +201,7 @@ TEST_P(Changes, waitForAnotherFileToBeMended)
 }
 
 // A wrong edit is left out, each with its reason: the run ends as one that nobody touched.
-TEST_P(Changes, thatAreWrongAreLeftOut)
+TEST_P(Changes, ThatAreWrongAreLeftOut)
 {
     const std::pair<const char*, std::pair<std::string, std::string>> edits[] =
     {
@@ -247,7 +247,7 @@ TEST_P(Changes, thatAreWrongAreLeftOut)
     EXPECT_TRUE(same(live, liquidAfter(all)));
 }
 
-TEST_P(Changes, ofControlDictAreNamed)
+TEST_P(Changes, OfControlDictAreNamed)
 {
     const std::string log = editedRun
     (
@@ -264,7 +264,7 @@ TEST_P(Changes, ofControlDictAreNamed)
     EXPECT_EQ(folder_.list("case"), (std::vector<std::string>{"0", "constant", "system"}));
 }
 
-TEST_P(Changes, ofTheEndTimeEndTheRun)
+TEST_P(Changes, OfTheEndTimeEndTheRun)
 {
     Process process(command("pbfDroplet", ""), folder_.path()/"log");
     ASSERT_TRUE(process.runUntil([&] { return stepsOf(process.log()).size() > 2; })) << process.log();
@@ -278,7 +278,7 @@ TEST_P(Changes, ofTheEndTimeEndTheRun)
     EXPECT_EQ(liquidAfter(end).size(), 4u);
 }
 
-TEST_P(Changes, nextWriteStopsWithTheNextWrite)
+TEST_P(Changes, NextWriteStopsWithTheNextWrite)
 {
     const std::string log = editedRun([&] { begin("runTimeModifiable yes; writeInterval 40;"); }, "writeInterval", "nextWrite; writeInterval 40");
     const std::size_t all = stepsOf(log).size();
@@ -288,7 +288,7 @@ TEST_P(Changes, nextWriteStopsWithTheNextWrite)
     EXPECT_LE(all - stepsBefore(log, "nextWrite"), 40u);
 }
 
-TEST_P(Changes, areIgnoredUnlessTheyAreAllowed)
+TEST_P(Changes, AreIgnoredUnlessTheyAreAllowed)
 {
     begin("endTime 0.03;");
     Process process(command("pbfDroplet", ""), folder_.path()/"log");
@@ -300,7 +300,7 @@ TEST_P(Changes, areIgnoredUnlessTheyAreAllowed)
 }
 
 // Pressure at a probe goes on being kept by the model that was made anew.
-TEST_P(Changes, leaveProbesTheirPressure)
+TEST_P(Changes, LeaveProbesTheirPressure)
 {
     begin("runTimeModifiable yes; functions { gauges { type probes; fields (p); probeLocations ((0 0 2e-3)); } }");
     const std::string log = editedRun([&] { write("constant/g", "value (0 0 -5);\n"); }, made);

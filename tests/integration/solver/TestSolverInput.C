@@ -56,13 +56,13 @@ INSTANTIATE_TEST_SUITE_P(Devices, Input, testing::ValuesIn(devices()));
 
 }
 
-TEST_P(Input, theCaseItselfIsGood)
+TEST_P(Input, TheCaseItselfIsGood)
 {
     const Outcome outcome = solve();
     EXPECT_EQ(outcome.status, 0) << outcome.text;
 }
 
-TEST_P(Input, missingCase)
+TEST_P(Input, MissingCase)
 {
     const std::string absent = (path()/"absent").string();
     const Outcome outcome = run(program("pbfDroplet") + " -device " + device() + " -case " + absent);
@@ -72,7 +72,7 @@ TEST_P(Input, missingCase)
     expectMissing("0", {"no time folder"});
 }
 
-TEST_P(Input, missingFiles)
+TEST_P(Input, MissingFiles)
 {
     expectMissing("system/solution", {"system/solution"});
     expectMissing("constant/liquidProperties", {"constant/liquidProperties"});
@@ -87,7 +87,7 @@ TEST_P(Input, missingFiles)
     expectMissing("0/liquid/U", {"missing", "0/liquid/U"});
 }
 
-TEST_P(Input, controlDict)
+TEST_P(Input, ControlDict)
 {
     const std::string good = "endTime 1;\nwriteInterval 1;\n";
     expectRefusals
@@ -113,7 +113,7 @@ TEST_P(Input, controlDict)
     );
 }
 
-TEST_P(Input, solution)
+TEST_P(Input, Solution)
 {
     expectRefusals
     (
@@ -135,7 +135,7 @@ TEST_P(Input, solution)
     );
 }
 
-TEST_P(Input, liquidProperties)
+TEST_P(Input, LiquidProperties)
 {
     expectRefusals
     (
@@ -153,7 +153,7 @@ TEST_P(Input, liquidProperties)
     );
 }
 
-TEST_P(Input, models)
+TEST_P(Input, Models)
 {
     const std::string good = "pressure pbf;\nsurfaceTension Fujisawa2014;\nwetting contactAngle;\nviscosity XSPH;\n";
     expectRefusals
@@ -188,7 +188,7 @@ TEST_P(Input, models)
     );
 }
 
-TEST_P(Input, walls)
+TEST_P(Input, Walls)
 {
     const std::string plane = "side\n{\n    type plane;\n    point (-3.5e-3 0 0);\n    ";
     expectRefusals
@@ -219,7 +219,7 @@ TEST_P(Input, walls)
     );
 }
 
-TEST_P(Input, liquidInsideASolid)
+TEST_P(Input, LiquidInsideASolid)
 {
     write("constant/walls", "floor { type particles; }\nlid { type plane; point (0 0 4e-3); normal (0 0 -1); }\n");
     write("constant/wettability", "lid { theta 90; }");
@@ -232,7 +232,7 @@ TEST_P(Input, liquidInsideASolid)
 }
 
 // A lattice of 0.8 of the spacing that the case has, at the start of a run and at a restart.
-TEST_P(Input, overlappingLiquid)
+TEST_P(Input, OverlappingLiquid)
 {
     const std::string good = read("system/solution"), crowded = "spacing 1.25e-3;\npressure { maxIterations 6; }\n";
     const auto refused = [&](std::vector<std::string> parts, const std::string& file)
@@ -262,14 +262,14 @@ TEST_P(Input, overlappingLiquid)
 }
 
 // Particles written by a run say at which spacing they were made; these stand for another volume with another one.
-TEST_P(Input, liquidOfAnotherSpacing)
+TEST_P(Input, LiquidOfAnotherSpacing)
 {
     EXPECT_EQ(solve().status, 0);
     write("system/solution", "spacing 1.02e-3;\n");
     expectRefusal({"a spacing of 0.001 m", "0.00102 m", "liquid/positions", "fillLiquid"});
 }
 
-TEST_P(Input, fields)
+TEST_P(Input, Fields)
 {
     const std::string length = "[0 1 0 0 0 0 0]", velocity = "[0 1 -1 0 0 0 0]";
     expectRefusals
@@ -312,14 +312,14 @@ TEST_P(Input, fields)
     );
 }
 
-TEST_P(Input, noParticles)
+TEST_P(Input, NoParticles)
 {
     write("0/liquid/positions", vectors("[0 1 0 0 0 0 0]", "nonuniform List<vector> 0()"));
     write("0/liquid/U", vectors("[0 1 -1 0 0 0 0]", "uniform (0 0 0)"));
     expectRefusal({"no liquid", "empty", "0/liquid", "run fillLiquid"});
 }
 
-TEST_P(Input, lastTimeThatIsNotWhole)
+TEST_P(Input, LastTimeThatIsNotWhole)
 {
     write("0.002/liquid/U", "");
     expectRefusal({"no liquid", "0.002/liquid", "remove", "to go on from", "/0\n"});
@@ -330,7 +330,7 @@ TEST_P(Input, lastTimeThatIsNotWhole)
     EXPECT_TRUE(holds(outcome.text, {"0.003", "no uniform/time", "first start"}));
 }
 
-TEST_P(Input, liquidFarFromTheOrigin)
+TEST_P(Input, LiquidFarFromTheOrigin)
 {
     const auto at = [&](const std::string& place)
     {
@@ -343,7 +343,7 @@ TEST_P(Input, liquidFarFromTheOrigin)
     expectRefusal({"-5000", "is too large", "0/liquid/positions"});
 }
 
-TEST_P(Input, binaryFields)
+TEST_P(Input, BinaryFields)
 {
     for (const std::string name : {"positions", "U"})
     {
@@ -368,14 +368,14 @@ TEST_P(Input, binaryFields)
     }
 }
 
-TEST_P(Input, unknownOptions)
+TEST_P(Input, UnknownOptions)
 {
     expectRefusal({"'-dryrun'", "Did you mean '-dry-run'", "-noFunctionObjects"}, "-dryrun");
     expectRefusal({"'-dt'", "-device"}, "-dt 3");
     expectRefusal({"'fast'", "-help"}, "fast");
 }
 
-TEST_P(Input, aDeviceThatIsNotThere)
+TEST_P(Input, ADeviceThatIsNotThere)
 {
     const Contents before = contents();
     const auto refusal = [&](const std::string& command, const std::vector<std::string>& parts)
@@ -407,7 +407,7 @@ TEST_P(Input, aDeviceThatIsNotThere)
     }
 }
 
-TEST_P(Input, aFileInTheWayOfATime)
+TEST_P(Input, AFileInTheWayOfATime)
 {
     write("0.002", "a file of the user's");
     control("writeInterval 2;");
@@ -415,7 +415,7 @@ TEST_P(Input, aFileInTheWayOfATime)
 }
 
 // It fails behind the time loop, which has gone on: the run ends all the same, and keeps what was written before.
-TEST_P(Input, aWriteThatFailsKeepsTheTimesBefore)
+TEST_P(Input, AWriteThatFailsKeepsTheTimesBefore)
 {
     write("0.004", "a file of the user's");
     control("endTime 1; writeInterval 2; writeFormat binary; functions { drop { type liquidState; } }");
@@ -429,7 +429,7 @@ TEST_P(Input, aWriteThatFailsKeepsTheTimesBefore)
     for (const std::string time : {"0.006", "0.008", "1"}) EXPECT_FALSE(exists(time)) << time;
 }
 
-TEST_P(Input, anUnwritableCase)
+TEST_P(Input, AnUnwritableCase)
 {
     // Root may write everywhere unless it gives up that right.
     const std::string humbly = geteuid() == 0 ? "setpriv --bounding-set=-dac_override " : "";
@@ -444,7 +444,7 @@ TEST_P(Input, anUnwritableCase)
 }
 
 // A full disk: no file may grow beyond 8 KiB, which the positions need.
-TEST_P(Input, aFullDisk)
+TEST_P(Input, AFullDisk)
 {
     const std::string full = "ulimit -f 16; trap '' XFSZ;";
     expectRefusal({"Cannot write", "liquid/positions", "File too large"}, "", full);
@@ -456,7 +456,7 @@ TEST_P(Input, aFullDisk)
     for (const auto& [name, bytes] : contents()) EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
 }
 
-TEST_P(Input, aRunThatDiverges)
+TEST_P(Input, ARunThatDiverges)
 {
     ASSERT_EQ(solve().status, 0);
     // Finite, but absurd.

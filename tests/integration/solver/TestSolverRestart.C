@@ -83,12 +83,12 @@ INSTANTIATE_TEST_SUITE_P(Devices, Restart, testing::ValuesIn(devices()));
 
 }
 
-TEST_P(Restart, binaryContinuesToTheSameBits) { expectRestart(binary); }
+TEST_P(Restart, BinaryContinuesToTheSameBits) { expectRestart(binary); }
 
-TEST_P(Restart, asciiContinuesToTheSameBits) { expectRestart(ascii); }
+TEST_P(Restart, AsciiContinuesToTheSameBits) { expectRestart(ascii); }
 
 // A plane beside the block, which moves through it; what was taken out is a number of the liquid.
-TEST_P(Restart, liquidThatIsTakenOutStaysOut)
+TEST_P(Restart, LiquidThatIsTakenOutStaysOut)
 {
     write("constant/outlets", "side { type plane; point (3.2e-3 0 0); normal (1 0 0); }\n");
     fill({0.1, 0, 0});
@@ -100,7 +100,7 @@ TEST_P(Restart, liquidThatIsTakenOutStaysOut)
     EXPECT_TRUE(holds(outcome.text, {"taken out: side ", " particles, "}));
 }
 
-TEST_P(Restart, aRunEndsWhereAllLiquidIsTakenOut)
+TEST_P(Restart, ARunEndsWhereAllLiquidIsTakenOut)
 {
     write("constant/outlets", "all { type plane; point (0 0 0.05); normal (0 0 -1); }\n");
     control("functions { out { type outflow; } sizes { type drops; } state { type liquidState; } }");
@@ -111,7 +111,7 @@ TEST_P(Restart, aRunEndsWhereAllLiquidIsTakenOut)
     EXPECT_FALSE(exists("0.002"));
 }
 
-TEST_P(Restart, theNumberOfThreadsChangesNoBit)
+TEST_P(Restart, TheNumberOfThreadsChangesNoBit)
 {
     ASSERT_EQ(setenv("OMP_NUM_THREADS", "3", 1), 0);
     const Contents three = uninterrupted(binary);
@@ -121,12 +121,12 @@ TEST_P(Restart, theNumberOfThreadsChangesNoBit)
     EXPECT_TRUE(same(three, one));
 }
 
-TEST_P(Restart, aKilledRunContinues)
+TEST_P(Restart, AKilledRunContinues)
 {
     expectContinuationAfterKill([&] { return exists("0.003"); });
 }
 
-TEST_P(Restart, aRunKilledWhileItWritesContinues)
+TEST_P(Restart, ARunKilledWhileItWritesContinues)
 {
     expectContinuationAfterKill([&]
     {
@@ -140,7 +140,7 @@ TEST_P(Restart, aRunKilledWhileItWritesContinues)
 }
 
 // Times that are purged are gone at once: none is left that looks whole and is not.
-TEST_P(Restart, aRunThatPurgesContinuesAfterAKill)
+TEST_P(Restart, ARunThatPurgesContinuesAfterAKill)
 {
     const Contents expected = uninterrupted(binary);
     control("endTime 1; writeInterval 1; purgeWrite 2;" + binary);
@@ -169,7 +169,7 @@ TEST_P(Restart, aRunThatPurgesContinuesAfterAKill)
 
 // A file that may not be as large as its first field, the positions, of more than 8 KiB: an error that says so. And what a run leaves
 // that is killed in the middle of it.
-TEST_P(Restart, halfATimeIsNoTime)
+TEST_P(Restart, HalfATimeIsNoTime)
 {
     const Contents expected = uninterrupted(ascii);
     control("endTime 5e-3;" + ascii);

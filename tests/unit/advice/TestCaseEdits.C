@@ -20,7 +20,7 @@ protected:
     ScratchFolder folder_;
 };
 
-TEST_F(CaseEdits, changeEntriesAndKeepTheRest)
+TEST_F(CaseEdits, ChangeEntriesAndKeepTheRest)
 {
     const auto written = changeCase
     (
@@ -44,7 +44,7 @@ TEST_F(CaseEdits, changeEntriesAndKeepTheRest)
     EXPECT_TRUE(holds(folder_.read("system/solution.old1"), {"spacing 2e-3"}));
 }
 
-TEST_F(CaseEdits, allOrNothing)
+TEST_F(CaseEdits, AllOrNothing)
 {
     const auto change = [&]
     {

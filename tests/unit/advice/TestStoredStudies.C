@@ -14,7 +14,7 @@ constexpr double digits = 1e-12;        // doubles
 
 using StoredStudiesTest = FakeStudies;
 
-TEST_F(StoredStudiesTest, errorsAreMeansOfTheRunsAround)
+TEST_F(StoredStudiesTest, ErrorsAreMeansOfTheRunsAround)
 {
     const auto error = [&](double theta, double n, double steps)
     {
@@ -56,7 +56,7 @@ TEST_F(StoredStudiesTest, errorsAreMeansOfTheRunsAround)
 }
 
 // As much of the tube's radius at all angles.
-TEST_F(StoredStudiesTest, errorsOfMenisciGrowAsTheirRiseFalls)
+TEST_F(StoredStudiesTest, ErrorsOfMenisciGrowAsTheirRiseFalls)
 {
     const auto error = [&](double theta) { return studies_->error("meniscus", theta, "default", 1000, 0.7)->value; };
     const auto rise = [](double theta) { return std::abs(std::tan(radians(45 - theta/2))); };
@@ -64,7 +64,7 @@ TEST_F(StoredStudiesTest, errorsOfMenisciGrowAsTheirRiseFalls)
     EXPECT_FALSE(studies_->error("meniscus", 90, "default", 1000, 0.7));
 }
 
-TEST_F(StoredStudiesTest, whatWasNotRunIsNotKnown)
+TEST_F(StoredStudiesTest, WhatWasNotRunIsNotKnown)
 {
     EXPECT_FALSE(studies_->error("splash", 0, "default", 1000, 0.7));
     EXPECT_FALSE(studies_->error("sessile", 60, "unheardOf", 1000, 0.7));
@@ -73,14 +73,14 @@ TEST_F(StoredStudiesTest, whatWasNotRunIsNotKnown)
     EXPECT_DOUBLE_EQ(studies_->calmSteps("default")->value, 3);
 }
 
-TEST_F(StoredStudiesTest, modelSetsAreFoundByTheirModels)
+TEST_F(StoredStudiesTest, ModelSetsAreFoundByTheirModels)
 {
     EXPECT_EQ(studies_->modelSet("pbf", "Fujisawa2014", "contactAngle")->name, "other");
     EXPECT_EQ(studies_->modelSet("completedPbf", "laplacePressure", "none")->name, "default");
     EXPECT_FALSE(studies_->modelSet("pbf", "laplacePressure", "extendedSurface"));
 }
 
-TEST_F(StoredStudiesTest, timesOfASubStep)
+TEST_F(StoredStudiesTest, TimesOfASubStep)
 {
     const auto seconds = [&](const char* backend, const char* device, double n)
     {
@@ -95,7 +95,7 @@ TEST_F(StoredStudiesTest, timesOfASubStep)
 }
 
 // Half of the runs are three times what their partners foretell.
-TEST_F(StoredStudiesTest, scatterIsWhatNineOfTenStayBelow)
+TEST_F(StoredStudiesTest, ScatterIsWhatNineOfTenStayBelow)
 {
     EXPECT_NEAR(*inPairs(15, 3).scatter("default"), 3, digits);
     EXPECT_NEAR(*inPairs(15, 1).scatter("default"), 1, digits);
@@ -104,7 +104,7 @@ TEST_F(StoredStudiesTest, scatterIsWhatNineOfTenStayBelow)
 }
 
 // What the repository ships: the tables are whole, and tell of the default.
-TEST(ShippedStudies, tellOfTheDefault)
+TEST(ShippedStudies, TellOfTheDefault)
 {
     setenv("HOME", "/nonexistent", 1);
     const StoredStudies studies;

@@ -29,7 +29,7 @@ struct TimedCall : testing::Test
 };
 
 // A process that sleeps for 0.2 s takes no less, and on a busy machine rarely three times as long.
-TEST_F(TimedCall, lastsFromTheCallToTheEnd)
+TEST_F(TimedCall, LastsFromTheCallToTheEnd)
 {
     const double once = seconds("sleep 0.2", 0);
     EXPECT_GE(once, 0.2);
@@ -38,7 +38,7 @@ TEST_F(TimedCall, lastsFromTheCallToTheEnd)
 }
 
 // The first of them is the slow one here.
-TEST_F(TimedCall, oneSlowCallOfSeveralDoesNotCount)
+TEST_F(TimedCall, OneSlowCallOfSeveralDoesNotCount)
 {
     EXPECT_LT(seconds("[ $(wc -l <'" + calls().string() + "') -gt 1 ] || sleep 0.6", 10), 0.3);
     EXPECT_EQ(called(), 5u);
@@ -48,7 +48,7 @@ TEST_F(TimedCall, oneSlowCallOfSeveralDoesNotCount)
     EXPECT_EQ(called(), 1u);
 }
 
-TEST_F(TimedCall, failureIsToldByWhatTheProgramSays)
+TEST_F(TimedCall, FailureIsToldByWhatTheProgramSays)
 {
     const auto reason = [&](const std::vector<std::string>& command)
     {

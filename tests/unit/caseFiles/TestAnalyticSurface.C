@@ -33,7 +33,7 @@ void expectGradient(const AnalyticSurface& surface, const Vector3& x)
 
 }
 
-TEST(AnalyticSurface, planeIsPositiveOnTheSideOfItsNormal)
+TEST(AnalyticSurface, PlaneIsPositiveOnTheSideOfItsNormal)
 {
     const AnalyticSurface plane = read("type plane; point (0 0 1); normal (0 0 2);");
     EXPECT_DOUBLE_EQ(plane.signedDistance({5, -3, 4}), 3);
@@ -41,7 +41,7 @@ TEST(AnalyticSurface, planeIsPositiveOnTheSideOfItsNormal)
     expectGradient(plane, {1, 2, 3});
 }
 
-TEST(AnalyticSurface, sphereHoldsLiquidInsideOrOutside)
+TEST(AnalyticSurface, SphereHoldsLiquidInsideOrOutside)
 {
     const AnalyticSurface outside = read("type sphere; centre (1 0 0); radius 2; liquid outside;");
     EXPECT_DOUBLE_EQ(outside.signedDistance({1, 5, 0}), 3);
@@ -54,7 +54,7 @@ TEST(AnalyticSurface, sphereHoldsLiquidInsideOrOutside)
     EXPECT_NEAR(length(inside.normal({1, 0, 0})), 1, 1e-15);    // at the centre: any direction, but one
 }
 
-TEST(AnalyticSurface, cylinderIsInfinitelyLong)
+TEST(AnalyticSurface, CylinderIsInfinitelyLong)
 {
     const AnalyticSurface tube = read("type cylinder; point (0 0 7); axis (0 0 3); radius 2; liquid inside;");
     EXPECT_DOUBLE_EQ(tube.signedDistance({1.5, 0, -1000}), 0.5);
@@ -63,7 +63,7 @@ TEST(AnalyticSurface, cylinderIsInfinitelyLong)
     EXPECT_NEAR(dot(tube.normal({0, 0, 1}), {0, 0, 1}), 0, 1e-15);      // on the axis: across it
 }
 
-TEST(AnalyticSurface, boxHoldsLiquidInside)
+TEST(AnalyticSurface, BoxHoldsLiquidInside)
 {
     const AnalyticSurface box = read("type box; min (0 0 0); max (4 4 2);");
     EXPECT_DOUBLE_EQ(box.signedDistance({2, 2, 0.25}), 0.25);
@@ -74,7 +74,7 @@ TEST(AnalyticSurface, boxHoldsLiquidInside)
     EXPECT_EQ(box.normal({2, 2, 1.9}), Vector3(0, 0, -1));
 }
 
-TEST(AnalyticSurface, wallsOfParticlesAreSkipped)
+TEST(AnalyticSurface, WallsOfParticlesAreSkipped)
 {
     const Dictionary walls = Dictionary::parse
     (
@@ -87,7 +87,7 @@ TEST(AnalyticSurface, wallsOfParticlesAreSkipped)
     EXPECT_NO_THROW(walls.refuseUnused());
 }
 
-TEST(AnalyticSurface, badEntriesAreRefused)
+TEST(AnalyticSurface, BadEntriesAreRefused)
 {
     EXPECT_TRUE(holds(messageOf([] { read("type wall;"); }), {"wall", "plane", "cylinder"}));
     EXPECT_TRUE(holds(messageOf([] { read("type plane; point (0 0 0); normal (0 0 0);"); }), {"normal", "no direction"}));

@@ -42,7 +42,7 @@ struct Wedge
 
 }
 
-TEST(SolidSides, placesBesideASharpEdgeAreInFrontAndThoseBelowItBehind)
+TEST(SolidSides, PlacesBesideASharpEdgeAreInFrontAndThoseBelowItBehind)
 {
     for (const double degrees : {45.0, 60.0, 90.0, 120.0})
     {
@@ -68,7 +68,7 @@ TEST(SolidSides, placesBesideASharpEdgeAreInFrontAndThoseBelowItBehind)
     }
 }
 
-TEST(SolidSides, belowALayerIsBehindAndBesideItsBorderIsNot)
+TEST(SolidSides, BelowALayerIsBehindAndBesideItsBorderIsNot)
 {
     SolidParticles solid;
     for (int x = 0; x <= 10; ++x) for (int y = 0; y <= 10; ++y) solid.positions.emplace_back(x, y, -0.5);

@@ -211,7 +211,10 @@ TEST(ForEachGroup, VisitsEachIndexOnce)
             const int k = below < 11 && 5 * (below + 1) - first < first - 5 * below ? below + 1 : below;
             ASSERT_EQ(nearest[i], scalar(std::abs(5 * k - first))) << i << " of " << n;
             ASSERT_EQ(where[i], scalar(k)) << i << " of " << n;
-            if (i < 20000) ASSERT_EQ(sum[i], scalar(780 * i)) << i << " of " << n;      // below 2^24: exact in any order
+            if (i < 20000)                                  // below 2^24: exact in any order
+            {
+                ASSERT_EQ(sum[i], scalar(780 * i)) << i << " of " << n;
+            }
         }
     }
 }

@@ -91,7 +91,7 @@ TEST(Reduce, SumsIntegersExactly)
 TEST(Reduce, GivesTheSameBitsOnAnyNumberOfThreads)
 {
     RandomNumbers random(7);
-    for (const auto [n, sums] : {std::pair{20011, device::fewSums}, std::pair{200011, 24 * device::fewSums}})
+    for (const auto& [n, sums] : {std::pair{20011, device::fewSums}, std::pair{200011, 24 * device::fewSums}})
     {
         std::vector<scalar> values(n);
         for (scalar& v : values) v = std::exp(random(-12, 12)) * (random(0, 1) < 0.5f ? -1.0f : 1.0f);

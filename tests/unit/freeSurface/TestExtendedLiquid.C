@@ -3,6 +3,7 @@
 
 #include "freeSurface/ExtendedLiquid.H"
 
+#include "core/angles/Degrees.H"
 #include "support/PointSets.H"
 #include "support/ReferenceKernels.H"
 #include "walls/HalfSpace.H"
@@ -17,8 +18,6 @@ using namespace shizuku::test;
 namespace
 {
 
-constexpr double degree = std::numbers::pi / 180;
-
 // A table on the host. theta in degrees, z and s in supports.
 class Table
 {
@@ -30,7 +29,7 @@ public:
 
     WedgeIntegrals operator()(double theta, double z, double s) const
     {
-        return view_(scalar(theta * degree), scalar(z), scalar(s));
+        return view_(scalar(radians(theta)), scalar(z), scalar(s));
     }
 
 private:
@@ -41,7 +40,7 @@ private:
 // Which part of the half-space {y : (y - x).m <= s} a sum goes over.
 enum class Side { wall, liquid };
 
-struct Sums
+struct WedgeSums
 {
     double value = 0, tangential = 0, normal = 0;
 };
@@ -51,16 +50,16 @@ double all(double) { return 1; }
 // Midpoint sums of a kernel with support 1 over y - x = u t + v (n x t) + w n on one side of the wall, weighted by the depth; the limits
 // of u are exact. part: of the wedge.
 template<class Kernel>
-Sums bruteForce
+WedgeSums bruteForce
 (
     double theta, double z, double s, Side side, double (*weight)(double depth) = all, WedgePart part = WedgePart::whole
 )
 {
     constexpr int n = 40;
     const Reference<Kernel> W{1};
-    const double sine = std::sin(theta * degree), cosine = std::cos(theta * degree);
+    const double sine = std::sin(radians(theta)), cosine = std::cos(radians(theta));
     const double low = side == Side::wall ? -1 : -z, high = side == Side::wall ? -z : 1;
-    Sums sums;
+    WedgeSums sums;
     for (int a = 0; a < n; ++a)
     {
         const double w = low + (high - low) * (a + 0.5) / n, width = std::sqrt(1 - w * w);
@@ -99,7 +98,7 @@ template<class Kernel>
 void expectSums(const Table& table, double tolerance, double theta, double z, double s)
 {
     const WedgeIntegrals found = table(theta, z, s);
-    const Sums expected = bruteForce<Kernel>(theta, z, s, Side::wall);
+    const WedgeSums expected = bruteForce<Kernel>(theta, z, s, Side::wall);
     const double gradient = tolerance * steepest<Kernel>();
     EXPECT_NEAR(found.value, expected.value, tolerance) << theta << " " << z << " " << s;
     EXPECT_NEAR(found.tangential, expected.tangential, gradient) << theta << " " << z << " " << s;
@@ -210,14 +209,14 @@ TYPED_TEST(ExtendedLiquidOf, MakesAPlanarInterfaceLookPlanar)
         {
             for (const double z : {0.0, 2 / 24.0, 8 / 24.0, 20 / 24.0, 1.0})
             {
-                const Sums liquid = bruteForce<TypeParam>(theta, z, s, Side::liquid);
+                const WedgeSums liquid = bruteForce<TypeParam>(theta, z, s, Side::liquid);
                 const auto wall = this->table(theta, z, s);
                 const auto whole = plane(scalar(s));
                 const double gradient = 5e-4 * plane(0).gradient;
                 EXPECT_NEAR(liquid.value + wall.value, 1 - whole.density, 5e-4) << theta << " " << s << " " << z;
-                EXPECT_NEAR(liquid.tangential + wall.tangential, -whole.gradient * std::sin(theta * degree), gradient)
+                EXPECT_NEAR(liquid.tangential + wall.tangential, -whole.gradient * std::sin(radians(theta)), gradient)
                     << theta << " " << s << " " << z;
-                EXPECT_NEAR(liquid.normal + wall.normal, -whole.gradient * std::cos(theta * degree), gradient)
+                EXPECT_NEAR(liquid.normal + wall.normal, -whole.gradient * std::cos(radians(theta)), gradient)
                     << theta << " " << s << " " << z;
             }
         }
@@ -237,7 +236,7 @@ TYPED_TEST(ExtendedLiquidOf, GradientIsThatOfTheValue)
                 const double byDepth = (at(0, step) - at(0, -step)) / (2 * step);
                 const double byDistance = (at(step, 0) - at(-step, 0)) / (2 * step);
                 const auto wedge = this->table(theta, z, s);
-                const double sine = std::sin(theta * degree), cosine = std::cos(theta * degree);
+                const double sine = std::sin(radians(theta)), cosine = std::cos(radians(theta));
                 const double tolerance = 0.008 * steepest<TypeParam>();
                 EXPECT_NEAR(wedge.tangential, -sine * byDepth, tolerance) << theta << " " << z << " " << s;
                 EXPECT_NEAR(wedge.normal, byDistance - cosine * byDepth, tolerance) << theta << " " << z << " " << s;
@@ -254,7 +253,7 @@ TYPED_TEST(ExtendedLiquidOf, WeighsByDepth)
             for (const double s : {-6 / 24.0, 2 / 24.0, 9 / 24.0})
             {
                 const auto found = table(theta, z, s);
-                const Sums expected = bruteForce<TypeParam>(theta, z, s, Side::wall, weight);
+                const WedgeSums expected = bruteForce<TypeParam>(theta, z, s, Side::wall, weight);
                 const double gradient = 5e-4 * steepest<TypeParam>();
                 EXPECT_NEAR(found.value, expected.value, 5e-4) << theta << " " << z << " " << s;
                 EXPECT_NEAR(found.tangential, expected.tangential, gradient) << theta << " " << z << " " << s;
@@ -272,7 +271,7 @@ TYPED_TEST(ExtendedLiquidOf, LeavesOutWhatDoesNotLieAhead)
         for (const double z : {0.0, 3 / 24.0, 12 / 24.0})
         {
             const WedgeIntegrals found = ahead(theta, z, 5 / 24.0);
-            const Sums expected = bruteForce<TypeParam>(theta, z, 5 / 24.0, Side::wall, all, WedgePart::ahead);
+            const WedgeSums expected = bruteForce<TypeParam>(theta, z, 5 / 24.0, Side::wall, all, WedgePart::ahead);
             const double gradient = 0.02 * steepest<TypeParam>();
             EXPECT_NEAR(found.value, expected.value, 0.02) << theta << " " << z;
             EXPECT_NEAR(found.tangential, expected.tangential, gradient) << theta << " " << z;

@@ -3,18 +3,12 @@
 
 #include "freeSurface/FreeSurface.H"
 
+#include "core/angles/Degrees.H"
 #include "device/Device.H"
 #include "support/SurfaceStates.H"
 
 using namespace shizuku;
 using namespace shizuku::test;
-
-namespace
-{
-
-constexpr double degree = std::numbers::pi / 180;
-
-}
 
 TEST(FreeSurface, ThatNobodyAskedForCostsNothing)
 {
@@ -126,7 +120,7 @@ TEST(FreeSurface, OfAWedgeAtItsContactAngleIsThatOfAHalfSpace)
         const auto table = tabulateHalfSpace(drop.surface.kernel());
         const HalfSpaceView plane{{table.data(), int(table.size())}, h};
         const auto surface = surfaceStates(drop);
-        const Vec3 m{scalar(std::sin(theta * degree)), 0, scalar(std::cos(theta * degree))};
+        const Vec3 m{scalar(std::sin(radians(theta))), 0, scalar(std::cos(radians(theta)))};
         int compared = 0;
         for (std::size_t i = 0; i < points.size(); ++i)
         {
@@ -134,13 +128,13 @@ TEST(FreeSurface, OfAWedgeAtItsContactAngleIsThatOfAHalfSpace)
             const scalar s = -dot(x, m);
             if (std::abs(x.y) > 0.1f || x.z > 5 || s > 1.5f) continue;
             ++compared;
-            EXPECT_GT(-dot(G, m) / norm(G), std::cos(4.5 * degree)) << theta << " " << x.z << " " << s;
+            EXPECT_GT(-dot(G, m) / norm(G), std::cos(radians(4.5))) << theta << " " << x.z << " " << s;
             EXPECT_NEAR(norm(G), plane(s * d).gradient, 0.07f * plane(0).gradient) << theta << " " << x.z << " " << s;
             EXPECT_NEAR(surface[i].depth, std::max(s, scalar(0.5)) * d, 0.15f * d) << theta << " " << x.z << " " << s;
             const ContactLine line = surface[i].contact;
             EXPECT_EQ(line.wall, x.z < 4 ? 0 : -1);
             if (line.wall < 0) continue;
-            EXPECT_NEAR(line.theta, theta * degree, 1e-6);
+            EXPECT_NEAR(line.theta, radians(theta), 1e-6);
             EXPECT_NEAR(line.tangent.x, 1, 1e-5);               // by symmetry; roundings of 270 terms
             EXPECT_NEAR(line.tangent.z, 0, 1e-6);
             EXPECT_NEAR(line.depth, s * d, 0.2f * d) << theta << " " << x.z << " " << s;
@@ -160,7 +154,7 @@ TEST(FreeSurface, MeetsACurvedWallAtTheAngleOfItsContactLine)
                          .wettability = "ball { theta " + std::to_string(theta) + "; }"});
         drop.useWalls();
         drop.surface.require(drop.liquid, 4, 0);
-        const Vec3 m{scalar(std::sin(theta * degree)), 0, scalar(std::cos(theta * degree))}, centre{0, 0, -20};
+        const Vec3 m{scalar(std::sin(radians(theta))), 0, scalar(std::cos(radians(theta)))}, centre{0, 0, -20};
         std::vector<Vec3> points;
         for (const Vec3 p : latticeBlock(26, 17, 18, 1, {-17.5f, -8, -7.5f}))
         {
@@ -175,9 +169,9 @@ TEST(FreeSurface, MeetsACurvedWallAtTheAngleOfItsContactLine)
             const Vec3 x = points[i], foot = x - centre;
             if (std::abs(x.y) > 0.1f || norm(foot) > 22.5f || dot(x, m) < -1.5f || x.x < -4) continue;
             ++compared;
-            const double exact = std::acos(dot(m, foot) / norm(foot)) / degree;
+            const double exact = degrees(std::acos(dot(m, foot) / norm(foot)));
             most = std::max(most, std::abs(exact - theta));
-            EXPECT_NEAR(surface[i].contact.theta / degree, exact, 1.5) << theta << " " << x.x << " " << x.z;
+            EXPECT_NEAR(degrees(surface[i].contact.theta), exact, 1.5) << theta << " " << x.x << " " << x.z;
         }
         EXPECT_GE(compared, 3) << theta;
         EXPECT_GT(most, 4) << theta;            // what a wall taken as plane would miss by

@@ -5,16 +5,17 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 using namespace shizuku;
 using namespace shizuku::test;
-using std::numbers::pi;
 
 namespace
 {
 
 constexpr scalar h = 1.7f;
 const CohesionSpline C{h};
-const scalar unit = 1 / scalar(pi * h * h * h);     // C(h/2) is half of it
+const scalar unit = 1 / scalar(std::numbers::pi * h * h * h);     // C(h/2) is half of it
 
 }
 
@@ -59,7 +60,7 @@ TEST(CohesionSpline, CoefficientGivesTheWorkOfCohesion)
         return gamma * density * integrate(z, support, 200, [&](double r)
         {
             const double cosine = z / r;
-            return spline(scalar(r)) * integrate(cosine, 1, 2, [&](double c) { return 2 * pi * r * r * c; });
+            return spline(scalar(r)) * integrate(cosine, 1, 2, [&](double c) { return 2 * std::numbers::pi * r * r * c; });
         });
     };
     // Layers at depth z - gap; the pull on the layer at z acts for all gaps from 0 to z.

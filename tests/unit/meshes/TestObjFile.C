@@ -7,7 +7,7 @@
 namespace shizuku::test
 {
 
-TEST(ObjFile, facesGroupsAndPolygonsAreRead)
+TEST(ObjFile, FacesGroupsAndPolygonsAreRead)
 {
     const ScratchFolder folder;
     const auto file = folder.write
@@ -26,7 +26,7 @@ TEST(ObjFile, facesGroupsAndPolygonsAreRead)
     EXPECT_DOUBLE_EQ(surface.mesh.area(), 2);
 }
 
-TEST(ObjFile, linesGoOnBehindABackslashAndEndBeforeAComment)
+TEST(ObjFile, LinesGoOnBehindABackslashAndEndBeforeAComment)
 {
     const ScratchFolder folder;
     const auto file = folder.write
@@ -40,7 +40,7 @@ TEST(ObjFile, linesGoOnBehindABackslashAndEndBeforeAComment)
     EXPECT_EQ(surface.patches, (std::vector<std::string>{"part_1"}));
 }
 
-TEST(ObjFile, concavePolygonsKeepTheirNotch)
+TEST(ObjFile, ConcavePolygonsKeepTheirNotch)
 {
     const ScratchFolder folder;
     // An L of three unit squares, its inner corner (1 1): from each corner as the first one.
@@ -54,7 +54,7 @@ TEST(ObjFile, concavePolygonsKeepTheirNotch)
     }
 }
 
-TEST(ObjFile, namesThatAreAlikeAsWordsAreKeptApart)
+TEST(ObjFile, NamesThatAreAlikeAsWordsAreKeptApart)
 {
     const ScratchFolder folder;
     std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -64,7 +64,7 @@ TEST(ObjFile, namesThatAreAlikeAsWordsAreKeptApart)
     EXPECT_EQ(surface.patch, (std::vector<int>{0, 1, 2, 3, 4, 5, 0}));
 }
 
-TEST(ObjFile, badFilesAreRefusedWithTheLine)
+TEST(ObjFile, BadFilesAreRefusedWithTheLine)
 {
     const ScratchFolder folder;
     const auto message = [&](const std::string& text)

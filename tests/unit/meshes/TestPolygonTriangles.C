@@ -31,13 +31,13 @@ std::array<double, 2> areasOf(const std::vector<Vector3>& points)
 
 }
 
-TEST(PolygonTriangles, aConvexPolygonIsAFan)
+TEST(PolygonTriangles, AConvexPolygonIsAFan)
 {
     const std::vector<std::array<int, 3>> expected{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
     EXPECT_EQ(trianglesOf({{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {2, 2, 0}, {0, 2, 0}}, {0, 1, 2, 3, 4}), expected);
 }
 
-TEST(PolygonTriangles, aStarIsCoveredOnceEitherWayRoundAndWhenItIsNotPlane)
+TEST(PolygonTriangles, AStarIsCoveredOnceEitherWayRoundAndWhenItIsNotPlane)
 {
     for (const double sense : {1, -1}) for (const double bump : {0.0, 0.1})
     {
@@ -55,7 +55,7 @@ TEST(PolygonTriangles, aStarIsCoveredOnceEitherWayRoundAndWhenItIsNotPlane)
     }
 }
 
-TEST(PolygonTriangles, cornersOnALineAreNoEars)
+TEST(PolygonTriangles, CornersOnALineAreNoEars)
 {
     // A square with the middles of its sides, begun at each of its corners.
     for (int first = 0; first < 8; ++first)

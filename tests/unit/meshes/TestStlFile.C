@@ -30,7 +30,7 @@ std::string binaryStl(const PatchedSurface& surface, const std::string& header)
 
 }
 
-TEST(StlFile, asciiAndBinaryHoldTheSameTriangles)
+TEST(StlFile, AsciiAndBinaryHoldTheSameTriangles)
 {
     const ScratchFolder folder;
     const PatchedSurface box = cube(2);
@@ -44,7 +44,7 @@ TEST(StlFile, asciiAndBinaryHoldTheSameTriangles)
     EXPECT_EQ(binary.patches, std::vector<std::string>{"wall"});
 }
 
-TEST(StlFile, solidsBecomePatches)
+TEST(StlFile, SolidsBecomePatches)
 {
     const ScratchFolder folder;
     const PatchedSurface flat = rectangle(1, 1);
@@ -55,7 +55,7 @@ TEST(StlFile, solidsBecomePatches)
     EXPECT_EQ(surface.patch, (std::vector<int>{0, 0, 1, 1, 2, 2, 0, 0}));
 }
 
-TEST(StlFile, keywordsInUpperCaseAndAByteOrderMarkAreRead)
+TEST(StlFile, KeywordsInUpperCaseAndAByteOrderMarkAreRead)
 {
     const ScratchFolder folder;
     std::string text = stlText(cube(2), "Box");
@@ -65,7 +65,7 @@ TEST(StlFile, keywordsInUpperCaseAndAByteOrderMarkAreRead)
     EXPECT_DOUBLE_EQ(surface.mesh.volume(), 8);
 }
 
-TEST(StlFile, badFilesAreRefused)
+TEST(StlFile, BadFilesAreRefused)
 {
     const ScratchFolder folder;
     const auto message = [&](const std::string& name, const std::string& text)

@@ -31,7 +31,7 @@ void write(const std::string& word, const std::filesystem::path& file, const Tri
 }
 
 // STL and normals in single precision, 2^-24 of the coordinates.
-TEST(SurfaceFormats, stlHoldsEveryFacet)
+TEST(SurfaceFormats, StlHoldsEveryFacet)
 {
     const ScratchFolder folder;
     const TriangleMesh mesh = ballWithNormals();
@@ -52,7 +52,7 @@ TEST(SurfaceFormats, stlHoldsEveryFacet)
     EXPECT_GT(dot({normal[0], normal[1], normal[2]}, mesh.vertices[mesh.faces[0][0]]), 0.9);
 }
 
-TEST(SurfaceFormats, objHoldsVerticesNormalsAndFaces)
+TEST(SurfaceFormats, ObjHoldsVerticesNormalsAndFaces)
 {
     const ScratchFolder folder;
     const TriangleMesh mesh = ballWithNormals();
@@ -85,7 +85,7 @@ TEST(SurfaceFormats, objHoldsVerticesNormalsAndFaces)
     }
 }
 
-TEST(SurfaceFormats, plyIsWhatTheOtherToolsRead)
+TEST(SurfaceFormats, PlyIsWhatTheOtherToolsRead)
 {
     const ScratchFolder folder;
     const TriangleMesh mesh = ballWithNormals();
@@ -95,7 +95,7 @@ TEST(SurfaceFormats, plyIsWhatTheOtherToolsRead)
     EXPECT_EQ(read.normals.size(), mesh.normals.size());
 }
 
-TEST(SurfaceFormats, noLiquidIsAnEmptyFile)
+TEST(SurfaceFormats, NoLiquidIsAnEmptyFile)
 {
     const ScratchFolder folder;
     for (const std::string word : {"ply", "stl", "obj"}) write(word, folder.path()/("none." + word), {});

@@ -16,7 +16,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double digits = 1e-12;        // doubles
 const double half = std::cbrt(2);       // radius of the half sphere of the volume of a unit sphere
 
-TEST(CapOnWall, energyOfAHalfSphereAndASphere)
+TEST(CapOnWall, EnergyOfAHalfSphereAndASphere)
 {
     // pi r^2 (2 - cos theta) over pi.
     EXPECT_NEAR(capEnergy(90, 90), 2*half*half, digits);
@@ -29,7 +29,7 @@ TEST(CapOnWall, energyOfAHalfSphereAndASphere)
 }
 
 // The energy's first variation vanishes at Young's angle alone.
-TEST(CapOnWall, theLeastEnergyIsAtTheContactAngle)
+TEST(CapOnWall, TheLeastEnergyIsAtTheContactAngle)
 {
     constexpr double step = 0.1;        // degrees: what is left is of step^2
     for (const double theta : {20, 60, 90, 140, 170})
@@ -39,7 +39,7 @@ TEST(CapOnWall, theLeastEnergyIsAtTheContactAngle)
     }
 }
 
-TEST(CapOnWall, angleFromTheLiquidNextToTheWall)
+TEST(CapOnWall, AngleFromTheLiquidNextToTheWall)
 {
     constexpr double depth = 0.1, found = 1e-9;         // degrees; where a share of 0.1 has 16 digits
     // Of a half sphere of radius r pi (r^2 d - d^3/3), of a sphere pi (d^2 - d^3/3).
@@ -54,7 +54,7 @@ TEST(CapOnWall, angleFromTheLiquidNextToTheWall)
 }
 
 // By hand: E(90, theta) = (2 - cos theta) 2^(2/3) reaches 4 where cos theta = 2 - 4/2^(2/3) = -0.5198, 121.3 degrees.
-TEST(CapOnWall, halfSpheresLeaveFrom121Degrees)
+TEST(CapOnWall, HalfSpheresLeaveFrom121Degrees)
 {
     const double turn = std::acos(2 - 4/(half*half))*180/pi;
     EXPECT_NEAR(turn, 121.3, 0.05);
@@ -65,7 +65,7 @@ TEST(CapOnWall, halfSpheresLeaveFrom121Degrees)
     EXPECT_EQ(jumpOff({90, 120}).flattest, 90);
 }
 
-TEST(CapOnWall, whatAStartHasToSpare)
+TEST(CapOnWall, WhatAStartHasToSpare)
 {
     const JumpOff jump = jumpOff({90, 140});
     EXPECT_NEAR(jump.start, (2 - std::cos(140*pi/180))*half*half, digits);
@@ -78,14 +78,14 @@ TEST(CapOnWall, whatAStartHasToSpare)
     EXPECT_FALSE(jumpOff({5, 0}).excess());
 }
 
-TEST(CapOnWall, thickOrHeavyLiquidStays)
+TEST(CapOnWall, ThickOrHeavyLiquidStays)
 {
     EXPECT_TRUE((CapStart{90, 140, 0.4, 0.6}).staysAnyhow());
     EXPECT_FALSE((CapStart{90, 140, 0.4, 0.59}).staysAnyhow());
     EXPECT_FALSE((CapStart{90, 140, 0.39, 0.6}).staysAnyhow());
 }
 
-TEST(CapOnWall, weightHoldsItDown)
+TEST(CapOnWall, WeightHoldsItDown)
 {
     // To leave it, a half sphere must rise from 3/8 of its radius to 1: 4/3 Bo (1 - 3 2^(1/3)/8) more.
     const double excess = (2 - std::cos(140*pi/180))*half*half - 4, bond = 0.75*excess/(1 - 3*half/8);

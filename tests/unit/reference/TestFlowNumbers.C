@@ -16,7 +16,7 @@ namespace
 const FlowScales water{2e-3, 1, 9.81, 998, 1e-6, 0.0728};
 constexpr double digits = 1e-12;        // of the numbers below; doubles
 
-TEST(FlowNumbers, ofADropOfWater)
+TEST(FlowNumbers, OfADropOfWater)
 {
     const FlowNumbers n = flowNumbers(water);
     EXPECT_NEAR(n.bond, 998*9.81*4e-6/0.0728, digits);
@@ -28,7 +28,7 @@ TEST(FlowNumbers, ofADropOfWater)
     EXPECT_NEAR(n.capillary, n.weber/n.reynolds, digits);
 }
 
-TEST(FlowNumbers, ofLimits)
+TEST(FlowNumbers, OfLimits)
 {
     FlowScales still = water;
     still.speed = 0;

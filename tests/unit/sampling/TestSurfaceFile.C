@@ -9,7 +9,7 @@
 using namespace shizuku;
 using namespace shizuku::test;
 
-TEST(OffFile, facesAndCommentsAreRead)
+TEST(OffFile, FacesAndCommentsAreRead)
 {
     const ScratchFolder folder;
     const PatchedSurface quad = readSurface(folder.write("a.off", "OFF # a quad\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 # its face\n"), "wall");
@@ -17,14 +17,14 @@ TEST(OffFile, facesAndCommentsAreRead)
     EXPECT_EQ(quad.mesh.faces.size(), 2u);
 }
 
-TEST(SurfaceFile, packedIsToldToBeUnpacked)
+TEST(SurfaceFile, PackedIsToldToBeUnpacked)
 {
     const ScratchFolder folder;
     EXPECT_TRUE(holds(messageOf([&] { readSurface(folder.write("a.stl.gz", "packed"), "wall"); }), {"a.stl.gz", "packed", "gunzip -k"}));
 }
 
 // Believed, each of these takes gigabytes and seconds: they are refused in milliseconds, and in a second on a busy machine.
-TEST(OffFile, lengthsThatTheFileHasNoRoomForAreRefusedAtOnce)
+TEST(OffFile, LengthsThatTheFileHasNoRoomForAreRefusedAtOnce)
 {
     const ScratchFolder folder;
     const std::string points = "0 0 0\n1 0 0\n1 1 0\n";

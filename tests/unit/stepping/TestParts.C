@@ -50,10 +50,10 @@ CaseText textOf(const Scene& scene)
 }
 
 // A drop that falls onto a floor and slides along it, so that particles go from part to part.
-class Drop : public LiquidCase
+class CutDrop : public LiquidCase
 {
 public:
-    explicit Drop(const Scene& scene) : LiquidCase(textOf(scene)), outlets(writeOutlets(scene.outlets), liquid)
+    explicit CutDrop(const Scene& scene) : LiquidCase(textOf(scene)), outlets(writeOutlets(scene.outlets), liquid)
     {
         const auto set = std::filesystem::path(std::getenv("SHIZUKU_DIR")) / "tests/validation/models" / scene.set;
         std::ifstream file(set / "models");
@@ -138,7 +138,7 @@ Cut runCut(const Scene& scene, const RowCut& cut)
     std::mutex mutex;
     runParts(cut.parts, [&](const Communicator& parts)
     {
-        Drop drop(scene);
+        CutDrop drop(scene);
         if (parts.part() > 0) drop.liquid.resize(0);            // the first search brings them what is theirs
         drop.liquid.ghosts().join(parts);
         drop.near.cut(cut);
@@ -176,7 +176,7 @@ struct SharedAsOf
 
 void expectSameBits(const Scene& scene, std::initializer_list<int> counts)
 {
-    Drop whole(scene);
+    CutDrop whole(scene);
     const SharedAsOf all(whole.liquid.owned());
     const std::vector<int> rows = whole.rows(scene.acrossZ);
     const std::vector<State> states = whole.run(scene.steps);
@@ -227,7 +227,7 @@ TEST(TestParts, PbfHasTheBitsOfTheWhole)
 TEST(TestParts, OutletsTakeOutTheSame)
 {
     const Scene scene{"default", "", true, false, 12, "1e-6", "out { type plane; point (0 5.9e-3 0); normal (0 1 0); }"};
-    Drop drop(scene);
+    CutDrop drop(scene);
     const std::size_t before = drop.state().size(), behind = drop.run(scene.steps).back().size();
     EXPECT_LT(behind, before);
     EXPECT_EQ(double(before - behind), drop.liquid.numbers().at(Outlets::numberOf("out")));
@@ -236,7 +236,7 @@ TEST(TestParts, OutletsTakeOutTheSame)
 
 TEST(TestParts, ModelsThatReadNeighboursWithoutGhostsAreRefused)
 {
-    Drop drop({"WCSPH", "", false, false, 1});
+    CutDrop drop({"WCSPH", "", false, false, 1});
     EXPECT_THROW(drop.models->refuseParts(), FatalInputError);
 }
 

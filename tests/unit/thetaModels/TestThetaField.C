@@ -40,14 +40,14 @@ using Angles = std::vector<double>;
 
 }
 
-TEST(ThetaField, everyParticleHasTheAngleOfItsPatch)
+TEST(ThetaField, EveryParticleHasTheAngleOfItsPatch)
 {
     const std::vector<double> expected{60, 120, 60};
     EXPECT_EQ(theta("floor { theta 60; } ramp { type constant; theta 120; }"), expected);
     EXPECT_EQ(theta("\"flo.*\" { theta 60; } ramp { theta 120; }"), expected);
 }
 
-TEST(ThetaField, analyticWallsMayHaveAnglesToo)
+TEST(ThetaField, AnalyticWallsMayHaveAnglesToo)
 {
     AnalyticSurface lid;
     lid.name = "lid";
@@ -60,7 +60,7 @@ TEST(ThetaField, analyticWallsMayHaveAnglesToo)
     ));
 }
 
-TEST(ThetaField, badEntriesAreRefused)
+TEST(ThetaField, BadEntriesAreRefused)
 {
     const std::string good = "floor { theta 60; }\n";
     EXPECT_TRUE(holds(messageOf([&] { theta(good); }), {"'ramp'", "wettability"}));
@@ -74,7 +74,7 @@ TEST(ThetaField, badEntriesAreRefused)
     EXPECT_TRUE(holds(messageOf([&] { theta(good + "ramp { theta 1; angle 2; }"); }), {"angle"}));
 }
 
-TEST(ThetaField, stripesHaveDirectionPeriodDutyAndPhase)
+TEST(ThetaField, StripesHaveDirectionPeriodDutyAndPhase)
 {
     const std::string stripes = "type stripes; theta (30 110); direction (2 0 0); period 4;";
     EXPECT_EQ(along({0, 1.9, 2, 3.9, 4, -0.1, -2.1}, stripes), (Angles{30, 30, 110, 110, 30, 110, 30}));
@@ -108,7 +108,7 @@ TEST(ThetaField, stripesHaveDirectionPeriodDutyAndPhase)
     ));
 }
 
-TEST(ThetaField, checksAreStripesThatCross)
+TEST(ThetaField, ChecksAreStripesThatCross)
 {
     SolidParticles solid;
     for (const double y : {0.5, 1.5})
@@ -128,7 +128,7 @@ TEST(ThetaField, checksAreStripesThatCross)
     ));
 }
 
-TEST(ThetaField, regionsAreShapesAndTheLastOneCounts)
+TEST(ThetaField, RegionsAreShapesAndTheLastOneCounts)
 {
     const std::string regions =
         "type regions; theta 90; regions { band { type box; min (1 -1 -1); max (3 1 1); theta 60; }"
@@ -147,7 +147,7 @@ TEST(ThetaField, regionsAreShapesAndTheLastOneCounts)
     ));
 }
 
-TEST(ThetaField, expressionsAreFormulasOfThePlace)
+TEST(ThetaField, ExpressionsAreFormulasOfThePlace)
 {
     EXPECT_EQ(along({0, 0.25, 0.5}, "type expression; theta \"90 + $swing*sin(2*pi*x)\"; swing 30;"), (Angles{90, 120, 90}));
     EXPECT_EQ(along({-1, 3}, "type expression; theta \"if(x < 0, 20, min(60*x, 150))\";"), (Angles{20, 150}));

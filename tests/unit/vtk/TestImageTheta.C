@@ -69,7 +69,7 @@ void expectAngles(const std::vector<double>& found, const std::vector<double>& e
 
 }
 
-TEST_F(ImageTheta, pixelsAreProjectedOnThePlane)
+TEST_F(ImageTheta, PixelsAreProjectedOnThePlane)
 {
     expectAngles
     (
@@ -85,14 +85,14 @@ TEST_F(ImageTheta, pixelsAreProjectedOnThePlane)
     );
 }
 
-TEST_F(ImageTheta, outsideItIsClampedOrTiled)
+TEST_F(ImageTheta, OutsideItIsClampedOrTiled)
 {
     const std::vector<Vector3> places{{-0.5, 0.5, 0}, {2.5, 0.5, 0}, {0.5, -1.5, 0}, {0.5, 7.5, 0}, {2, 3, 0}};
     expectAngles(at(places, rectangle_), {20, 40, 20, 100, 120});
     expectAngles(at(places, rectangle_ + "outside tile;"), {40, 20, 60, 60, 20});
 }
 
-TEST_F(ImageTheta, badEntriesAreRefused)
+TEST_F(ImageTheta, BadEntriesAreRefused)
 {
     const auto message = [&](const std::string& entries) { return messageOf([&] { at({{0, 0, 0}}, entries); }); };
     EXPECT_TRUE(holds(message("file \"image.png\";"), {"'theta' is missing"}));
@@ -103,7 +103,7 @@ TEST_F(ImageTheta, badEntriesAreRefused)
     EXPECT_TRUE(holds(message(rectangle_ + "scale 2;"), {"'scale'"}));
 }
 
-TEST_F(ImageTheta, missingAndDamagedFilesAreRefused)
+TEST_F(ImageTheta, MissingAndDamagedFilesAreRefused)
 {
     const auto message = [&] { return messageOf([&] { at({{0, 0, 0}}, rectangle_); }); };
     const std::string whole = folder_.read("constant/image.png");
@@ -132,7 +132,7 @@ TEST_F(ImageTheta, missingAndDamagedFilesAreRefused)
     EXPECT_TRUE(holds(message(), {"missing", "constant/image.png"}));
 }
 
-TEST(GreyImage, coloursDepthsAndFormats)
+TEST(GreyImage, ColoursDepthsAndFormats)
 {
     const ScratchFolder folder;
     // Red, green, blue, white; then with transparency; then 16 bits.

@@ -11,7 +11,7 @@ using namespace shizuku::test;
 namespace
 {
 
-constexpr scalar support = 2;
+constexpr scalar range = 2;
 
 class WallSurfaces : public testing::Test
 {
@@ -19,12 +19,12 @@ public:
     WallSurfacesView planes(const std::vector<Vec3>& normals) const
     {
         WallSurfacesView view;
-        view.halfSpace = {{table.data(), int(table.size())}, support};
+        view.halfSpace = {{table.data(), int(table.size())}, range};
         for (const Vec3& n : normals) view.surface[view.count++] = {WallSurface::plane, {}, {n.x, n.y, n.z}, 0, 1, 0};
         return view;
     }
 
-    const CubicSpline W{support};
+    const CubicSpline W{range};
     const std::vector<HalfSpaceValues> table = tabulateHalfSpace(W);
 };
 
@@ -44,7 +44,7 @@ TEST_F(WallSurfaces, OneOrNoneIsWhatItsTableSays)
         EXPECT_NEAR(density.gradient.z, -floor.halfSpace(z).gradient, 1e-6);
         EXPECT_EQ(density.gradient.x, 0);
     }
-    EXPECT_EQ(floor.density(placeAt(0, 0, support)).value, 0);
+    EXPECT_EQ(floor.density(placeAt(0, 0, range)).value, 0);
 }
 
 // By symmetry the solid of two perpendicular planes fills 3/4 around their edge, that of three 7/8 around their corner.
@@ -60,7 +60,7 @@ TEST_F(WallSurfaces, ApproachTheUnionOfTwoPerpendicularPlanes)
 {
     const WallSurfacesView edge = planes({{1, 0, 0}, {0, 0, 1}});
     constexpr int n = 40;
-    constexpr scalar step = support / n, first = step / 2 - support;
+    constexpr scalar step = range / n, first = step / 2 - range;
     const auto around = latticeBlock(2 * n, 2 * n, 2 * n, step, {first, first, first});
     for (const scalar x : {0.25f, 0.5f, 0.75f, 1.25f})
     {
@@ -81,7 +81,7 @@ TEST_F(WallSurfaces, ApproachTheUnionOfTwoPerpendicularPlanes)
 TEST_F(WallSurfaces, GradientIsThatOfTheUnion)
 {
     const WallSurfacesView corner = planes({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-    const scalar step = support / 64, largest = corner.halfSpace(0).gradient;
+    const scalar step = range / 64, largest = corner.halfSpace(0).gradient;
     for (const Vec3 x : randomPoints(200, {0, 0, 0}, {1.5f, 1.5f, 1.5f}))
     {
         const auto at = [&](Vec3 p) { return corner.density(placeAt(p.x, p.y, p.z)); };

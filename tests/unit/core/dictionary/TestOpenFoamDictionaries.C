@@ -8,7 +8,7 @@
 using namespace shizuku;
 using Vector = std::array<double, 3>;
 
-TEST(OpenFoam, fvSolution)
+TEST(OpenFoam, FvSolution)
 {
     const Dictionary dict = Dictionary::parse(R"dict(
 solvers
@@ -41,7 +41,7 @@ relaxationFactors { equations { ".*" 1; } }
     EXPECT_EQ(dict.subDict("relaxationFactors").subDict("equations").lookup<double>("U"), 1);
 }
 
-TEST(OpenFoam, fvSchemes)
+TEST(OpenFoam, FvSchemes)
 {
     const Dictionary dict = Dictionary::parse(R"dict(
 gradSchemes { default cellLimited Gauss linear 1; }
@@ -58,14 +58,14 @@ divSchemes
     EXPECT_FALSE(dict.subDict("divSchemes").found("div(phi,U)"));
 }
 
-TEST(OpenFoam, valuesThatEndWithADictionary)
+TEST(OpenFoam, ValuesThatEndWithADictionary)
 {
     const std::string text = "div(phi,Y) Gauss multi\n{\n    CO limited 1;\n    h upwind;\n};\ndiv(U) Gauss linear;\n";
     const Dictionary schemes = Dictionary::parse(text);
     EXPECT_EQ(schemes.keys(), (std::vector<std::string>{"div(phi,Y)", "div(U)"}));
 }
 
-TEST(OpenFoam, blockMeshDict)
+TEST(OpenFoam, BlockMeshDict)
 {
     const Dictionary dict = Dictionary::parse(R"dict(
 scale 0.146;
@@ -98,7 +98,7 @@ mergePatchPairs ();
     EXPECT_EQ(dict.lookup<double>("scale"), 0.146);
 }
 
-TEST(OpenFoam, snappyHexMeshDict)
+TEST(OpenFoam, SnappyHexMeshDict)
 {
     const Dictionary dict = Dictionary::parse(R"dict(
 castellatedMesh true;
@@ -125,7 +125,7 @@ addLayersControls { layers { "(lower|upper)Wall|motor.*" { nSurfaceLayers 1; } }
     EXPECT_TRUE(layers.isDict("upperWall") && layers.isDict("motor_1") && !layers.isDict("inlet"));
 }
 
-TEST(OpenFoam, fields)
+TEST(OpenFoam, Fields)
 {
     const Dictionary dict = Dictionary::parse(R"dict(
 FoamFile { version 2.0; format ascii; arch "LSB;label=32;scalar=64";
@@ -148,7 +148,7 @@ boundaryField
     EXPECT_EQ(boundary.subDict("side1").lookup<std::string>("code"), " operator==(vector(0, 0, 1)); ");
 }
 
-TEST(OpenFoam, propertiesAndSets)
+TEST(OpenFoam, PropertiesAndSets)
 {
     const Dictionary dict = Dictionary::parse(R"dict(
 phases (water air);

@@ -9,7 +9,7 @@ using namespace shizuku::test;
 namespace
 {
 
-constexpr scalar dt = 0.05f;
+constexpr scalar deltaT = 0.05f;
 
 // A ball of radius 5 that shrinks and turns: velocities in scaled units.
 const auto ball = latticeBall(5);
@@ -66,9 +66,9 @@ TEST(DFSPH, TakesTheDivergenceOutOfTheVelocities)
     };
     const double second = drop.liquid.units().time;
     EXPECT_GT(averageInside(rates()) * second, 0.5);
-    pressure->begin(dt);
+    pressure->begin(deltaT);
     pressure->correctVelocities(drop.liquid, drop.near, drop.walls);
-    EXPECT_LT(averageInside(rates()) * second, 1e-4 / dt * 1.01);       // rounding of sums of velocities
+    EXPECT_LT(averageInside(rates()) * second, 1e-4 / deltaT * 1.01);       // rounding of sums of velocities
 
     // Turning is left alone: the mean angular velocity about z stays 0.3 to the lattice's errors.
     double turn = 0, inertia = 0;
@@ -89,7 +89,7 @@ TEST(DFSPH, LeavesExpansionAlone)
     const auto pressure = makePressure(drop, "DFSPH", "");
     drop.place(ball, shrinking(-0.5f));
     const auto before = drop.inOrder(drop.liquid.velocity);
-    pressure->begin(dt);
+    pressure->begin(deltaT);
     pressure->correctVelocities(drop.liquid, drop.near, drop.walls);
     const auto after = drop.inOrder(drop.liquid.velocity);
     for (std::size_t i = 0; i < ball.size(); ++i) ASSERT_EQ(norm(after[i] - before[i]), 0);
@@ -105,7 +105,7 @@ TEST(DFSPH, HoldsTheDensityThatTheWayLeadsTo)
         const auto pressure = makePressure(*drop, "DFSPH", "tolerance 1e-3; maxIterations 400;");
         drop->place(points);
         const auto start = drop->inOrder(drop->liquid.position);
-        const int iterations = iterate(*pressure, *drop, dt);
+        const int iterations = iterate(*pressure, *drop, deltaT);
         EXPECT_GT(iterations, 2);
         EXPECT_LT(iterations, 400);
         auto way = drop->inOrder(drop->liquid.predicted);
@@ -117,7 +117,7 @@ TEST(DFSPH, HoldsTheDensityThatTheWayLeadsTo)
     }
 }
 
-// The first iteration over all pairs: kappa = (rho - rho0) alpha/dt^2, alpha of (9); half of it, the relaxation.
+// The first iteration over all pairs: kappa = (rho - rho0) alpha/deltaT^2, alpha of (9); half of it, the relaxation.
 TEST(DFSPH, MakesTheFirstIterationOfThePaper)
 {
     const auto points = randomPoints(250, {-3, -3, 0.1f}, {3, 3, 5});
@@ -126,9 +126,9 @@ TEST(DFSPH, MakesTheFirstIterationOfThePaper)
         const auto pressure = makePressure(*drop, "DFSPH", "minIterations 1; maxIterations 1;");
         drop->place(points);
         const auto before = drop->inOrder(drop->liquid.predicted);
-        EXPECT_EQ(iterate(*pressure, *drop, dt), 1);
+        EXPECT_EQ(iterate(*pressure, *drop, deltaT), 1);
 
-        const double seconds = drop->liquid.units().toSI(dt, dimensions::time);
+        const double seconds = drop->liquid.units().toSI(deltaT, dimensions::time);
         std::vector<double> p;
         for (std::size_t i = 0; i < points.size(); ++i)
         {
@@ -141,7 +141,7 @@ TEST(DFSPH, MakesTheFirstIterationOfThePaper)
             p.push_back(0.5 * std::max((system.density[i] - 1) * alpha * system.restDensity / (seconds * seconds), 0.0));
         }
         const auto expected = pressureForces(system, [&](std::size_t i, int j) { return j < 0 ? p[i] : p[i] + p[j]; });
-        EXPECT_TRUE(agree(accelerationsSince(before, *drop, dt), drop->liquid.units(), expected, system.floor ? 1e-3 : 1e-4));
+        EXPECT_TRUE(agree(accelerationsSince(before, *drop, deltaT), drop->liquid.units(), expected, system.floor ? 1e-3 : 1e-4));
     }
 }
 
@@ -156,10 +156,10 @@ TEST(DFSPH, StartsWithWhatTheLastStepCameTo)
         const auto pressure = makePressure(drop, "DFSPH", controls);
         drop.place(latticeBlock(7, 7, 7, 0.97f));
         const auto start = vectors(drop.liquid.predicted);
-        const int first = iterate(*pressure, drop, dt);
+        const int first = iterate(*pressure, drop, deltaT);
         EXPECT_GT(first, 3);
         drop.liquid.predicted.upload(placed(start));
-        needed[warm] = iterate(*pressure, drop, dt);
+        needed[warm] = iterate(*pressure, drop, deltaT);
         EXPECT_EQ(needed[warm] < first, warm);
     }
     EXPECT_LE(needed[true], 1);

@@ -103,7 +103,10 @@ TEST(CompletedPbf, TakesADropOnAWallToBeAtRest)
         {
             const bool inside = norm(points[i]) < 5.5f;
             ASSERT_NEAR(density[i], 1, inside ? 0.04 : 0.25) << i;
-            if (sampled) ASSERT_NEAR(density[i], onAnalytic[i], 1e-5) << i;
+            if (sampled)
+            {
+                ASSERT_NEAR(density[i], onAnalytic[i], 1e-5) << i;
+            }
         }
         onAnalytic = density;
     }

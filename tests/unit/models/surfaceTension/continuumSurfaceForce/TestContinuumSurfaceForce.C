@@ -5,6 +5,7 @@
 #include "models/surfaceTension/SurfaceTension.H"
 #include "models/surfaceTension/continuumSurfaceForce/SurfaceLayer.H"
 
+#include "core/angles/Degrees.H"
 #include "support/LiquidCase.H"
 #include "support/ReferenceKernels.H"
 #include "support/SurfaceForces.H"
@@ -16,9 +17,7 @@ using namespace shizuku::test;
 namespace
 {
 
-constexpr double degree = std::numbers::pi / 180;
-
-std::unique_ptr<SurfaceTension> makeTension(LiquidCase& drop, const std::string& coeffs = "")
+std::unique_ptr<SurfaceTension> makeContinuumForce(LiquidCase& drop, const std::string& coeffs = "")
 {
     const Dictionary models = Dictionary::parse
     (
@@ -106,7 +105,7 @@ TEST(ContinuumSurfaceForce, HoldsLaplacesPressureInABall)
     for (const scalar radius : {6.0f, 7.3f, 8.0f, 10.0f, 13.0f})
     {
         LiquidCase drop;
-        const auto tension = makeTension(drop);
+        const auto tension = makeContinuumForce(drop);
         const auto points = latticeBall(radius);
         const auto force = tensionOf(drop, *tension, points);
         const double R = std::cbrt(3 * double(points.size()) / (4 * std::numbers::pi));
@@ -130,7 +129,7 @@ TEST(ContinuumSurfaceForce, HoldsLaplacesPressureInABall)
 TEST(ContinuumSurfaceForce, DoesNotMoveFreeLiquidAsAWhole)
 {
     LiquidCase drop;
-    const auto tension = makeTension(drop);
+    const auto tension = makeContinuumForce(drop);
     RandomNumbers random(3);
     auto points = latticeBlock(8, 8, 8, 1);
     disorder(points, 0.2f, random);
@@ -164,7 +163,7 @@ TEST(ContinuumSurfaceForce, DoesNotMoveFreeLiquidAsAWhole)
 TEST(ContinuumSurfaceForce, LeavesAPlaneAlone)
 {
     LiquidCase drop({.walls = "far { type plane; point (0 0 -1); normal (0 0 1); }"});       // so that nothing is balanced
-    const auto tension = makeTension(drop);
+    const auto tension = makeContinuumForce(drop);
     const auto points = latticeBlock(29, 29, 8, 1, {-14, -14, -7.5f});
     const auto force = tensionOf(drop, *tension, points);
     scalar edge = 0;
@@ -186,7 +185,7 @@ TEST(ContinuumSurfaceForce, LeavesAPlaneAlone)
 TEST(ContinuumSurfaceForce, PushesAlongTheSurfaceWhereTheCurvatureChanges)
 {
     LiquidCase drop({.walls = "far { type plane; point (0 0 -20); normal (0 0 1); }"});
-    const auto tension = makeTension(drop);
+    const auto tension = makeContinuumForce(drop);
     const scalar length = 30, q = 2 * std::numbers::pi_v<scalar> / length, A = 1;
     auto points = latticeBlock(61, 21, 8, 1, {-30, -10, -7.5f});
     for (Vec3& p : points) p.z += A * std::cos(q * p.x);
@@ -225,7 +224,7 @@ TEST(ContinuumSurfaceForce, IsYoungsAtTheContactLine)
         {
             LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta " + std::to_string(theta) + "; }"});
             drop.useWalls();
-            const auto tension = makeTension(drop);
+            const auto tension = makeContinuumForce(drop);
             const auto points = latticeWedge(wedge, 7, 25, 16);
             const auto force = tensionOf(drop, *tension, points);
             const double along = forceAlongWall(points, force, wedge);
@@ -235,7 +234,7 @@ TEST(ContinuumSurfaceForce, IsYoungsAtTheContactLine)
                 for (std::size_t i = 0; i < points.size(); ++i)
                 {
                     const Vec3 x = points[i];
-                    const double depth = -x.x * std::sin(wedge * degree) - x.z * std::cos(wedge * degree);
+                    const double depth = -x.x * std::sin(radians(wedge)) - x.z * std::cos(radians(wedge));
                     if (x.y != 0 || x.z > 8 || depth > 3) continue;
                     EXPECT_LT(norm(force[i]), 0.016f) << wedge << " " << x.x << " " << x.z;
                 }
@@ -254,7 +253,7 @@ TEST(ContinuumSurfaceForce, IsYoungsAtTheContactLine)
 TEST(ContinuumSurfaceForce, BearsSuctionAlikeAtAHollowSurface)
 {
     LiquidCase drop;
-    const auto tension = makeTension(drop, "support 4;");
+    const auto tension = makeContinuumForce(drop, "support 4;");
     const scalar R = 7;
     RandomNumbers random(5);
     auto points = latticeBlock(26, 26, 26, 1, {-12.5f, -12.5f, -12.5f});
@@ -283,11 +282,11 @@ TEST(ContinuumSurfaceForce, BearsSuctionAlikeAtAHollowSurface)
 TEST(ContinuumSurfaceForce, RefusesASupportOutOfRange)
 {
     LiquidCase drop;
-    EXPECT_EQ(messageOf([&] { makeTension(drop, "support 3;"); }), "no error");
-    EXPECT_EQ(messageOf([&] { makeTension(drop, "support 8;"); }), "no error");
+    EXPECT_EQ(messageOf([&] { makeContinuumForce(drop, "support 3;"); }), "no error");
+    EXPECT_EQ(messageOf([&] { makeContinuumForce(drop, "support 8;"); }), "no error");
     for (const std::string support : {"2.9", "8.1", "-4", "0"})
     {
-        EXPECT_TRUE(holds(messageOf([&] { makeTension(drop, "support " + support + ";"); }),
+        EXPECT_TRUE(holds(messageOf([&] { makeContinuumForce(drop, "support " + support + ";"); }),
                           {"constant/models", "support", "1.5 times the kernel's to 8 spacings"}));
     }
 }
@@ -298,7 +297,7 @@ TEST(ContinuumSurfaceForce, HasASupportForEveryKernel)
     for (const double support : {2.0, 2.5, 4.0})
     {
         LiquidCase drop({.kernel = "type cubicSpline; support " + std::to_string(support) + ";"});
-        EXPECT_EQ(messageOf([&] { makeTension(drop); }), "no error");
+        EXPECT_EQ(messageOf([&] { makeContinuumForce(drop); }), "no error");
         EXPECT_FLOAT_EQ(drop.surface.support() / drop.liquid.spacing(), std::max(scalar(3.25), scalar(1.5 * support)));
     }
 }

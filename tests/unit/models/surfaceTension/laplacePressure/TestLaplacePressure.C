@@ -15,7 +15,7 @@ using namespace shizuku::test;
 namespace
 {
 
-std::unique_ptr<SurfaceTension> makeTension(LiquidCase& drop)
+std::unique_ptr<SurfaceTension> makeLaplacePressure(LiquidCase& drop)
 {
     const Dictionary models = Dictionary::parse("surfaceTension laplacePressure;", "constant/models");
     return SurfaceTension::New(models, drop.liquid, drop.walls, drop.surface);
@@ -56,7 +56,7 @@ TEST(LaplacePressure, BalancesTheSamePressureInAllParticlesOfABall)
         for (const int k : {0, 1})
         {
             LiquidCase drop;
-            const auto tension = makeTension(drop);
+            const auto tension = makeLaplacePressure(drop);
             drop.surface.agreed().ordering = k == 0 ? 1 : 1.2f;
             const auto force = tensionOf(drop, *tension, points);
             for (std::size_t i = 0; i < points.size(); ++i)
@@ -79,7 +79,7 @@ TEST(LaplacePressure, LeavesAPlaneAlone)
 {
     LiquidCase drop({.walls = "far { type plane; point (0 0 -1); normal (0 0 1); }"});       // so that nothing is balanced
     const auto points = latticeBlock(29, 29, 8, 1, {-14, -14, -7.5f});
-    const auto force = tensionOf(drop, *makeTension(drop), points);
+    const auto force = tensionOf(drop, *makeLaplacePressure(drop), points);
     scalar edge = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
@@ -101,7 +101,7 @@ TEST(LaplacePressure, DrawsAThinRimOutOverAWallThatItWets)
         LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta 0; }"});
         drop.useWalls();
         const auto points = latticeWedge(wedge, 12, 25, 6);
-        const auto force = tensionOf(drop, *makeTension(drop), points);
+        const auto force = tensionOf(drop, *makeLaplacePressure(drop), points);
         double along = 0;
         for (std::size_t i = 0; i < points.size(); ++i)
         {
@@ -120,7 +120,7 @@ TEST(LaplacePressure, DrawsNothingOutOfAFilmThatIsStretched)
     constexpr scalar stretch = 1.3f;
     auto points = latticeWedge(20, 12, 25, 6);
     for (Vec3& x : points) x = {stretch * x.x, stretch * x.y, x.z};
-    const auto force = tensionOf(drop, *makeTension(drop), points);
+    const auto force = tensionOf(drop, *makeLaplacePressure(drop), points);
     double along = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
@@ -142,7 +142,7 @@ TEST(LaplacePressure, IsYoungsAtTheContactLine)
             LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta " + std::to_string(theta) + "; }"});
             drop.useWalls();
             const auto points = latticeWedge(wedge, 7, 25, 16);
-            const auto force = tensionOf(drop, *makeTension(drop), points);
+            const auto force = tensionOf(drop, *makeLaplacePressure(drop), points);
             const double along = forceAlongWall(points, force, wedge);
             if (theta == wedge)
             {

@@ -2,6 +2,7 @@
 #include "models/surfaceTension/SurfaceTension.H"
 
 #include "maths/CohesionSpline.H"
+#include "support/PairForceMeter.H"
 #include "support/PairReference.H"
 #include "support/VectorSum.H"
 
@@ -13,21 +14,13 @@ namespace
 
 const std::string splineKernel = "type cubicSpline; support 2;", spikyKernel = "type poly6Spiky; support 2.5;";
 
-std::unique_ptr<SurfaceTension> makeTension(LiquidCase& drop, const std::string& word)
+std::unique_ptr<SurfaceTension> makePairTension(LiquidCase& drop, const std::string& word)
 {
     return SurfaceTension::New
     (
         Dictionary::parse("surfaceTension " + word + "; " + word + "Coeffs { gamma 1.5; }"), drop.liquid, drop.walls,
         drop.surface
     );
-}
-
-std::vector<Vec3> accelerationsOf(LiquidCase& drop, SurfaceTension& tension)
-{
-    Buffer<Vec3> acceleration(drop.liquid.all());
-    acceleration.setZero();
-    tension.apply(drop.liquid, drop.near, drop.walls, acceleration);
-    return drop.inOrder(acceleration);
 }
 
 // A particle's sum has some twenty terms of either sign, each rounded to 1e-7, and normals add theirs: 2e-5 of the
@@ -45,7 +38,7 @@ TEST(PairTension, EqualsTheSumOverAllPairs)
         for (const bool spline : {true, false})
         {
             LiquidCase drop({.kernel = spline ? splineKernel : spikyKernel});
-            const auto tension = makeTension(drop, word);
+            const auto tension = makePairTension(drop, word);
             drop.place(points);
             auto reference = spline ? pairSystem<CubicSpline>(drop, points) : pairSystem<Poly6Spiky>(drop, points);
             reference.prepare();
@@ -63,7 +56,7 @@ TEST(PairTension, EqualsTheSumOverAllPairsNearSolidParticles)
     {
         LiquidCase drop({.walls = sampledFloor, .solidPositions = solid,
                          .solidTheta = std::vector<double>(solid.size(), 60)});
-        const auto tension = makeTension(drop, wallNormals ? "Fujisawa2014" : "Akinci2013");
+        const auto tension = makePairTension(drop, wallNormals ? "Fujisawa2014" : "Akinci2013");
         drop.place(points);
         auto reference = pairSystem<CubicSpline>(drop, points, solid);
         reference.solidCosTheta = 0.5;
@@ -81,7 +74,7 @@ TEST(PairTension, EqualsTheSumOverAllPairsNearAnAnalyticFloor)
     {
         LiquidCase drop({.walls = floorPlane,
                          .wettability = "floor { theta 120; }"});
-        const auto tension = makeTension(drop, wallNormals ? "Fujisawa2014" : "Akinci2013");
+        const auto tension = makePairTension(drop, wallNormals ? "Fujisawa2014" : "Akinci2013");
         drop.place(points);
         auto reference = pairSystem<CubicSpline>(drop, points);
         reference.floor = true;
@@ -99,7 +92,7 @@ TEST(PairTension, ConservesMomentum)
     for (const std::string word : {"Akinci2013", "Fujisawa2014"})
     {
         LiquidCase drop;
-        const auto tension = makeTension(drop, word);
+        const auto tension = makePairTension(drop, word);
         drop.place(randomPoints(500, {0, 0, 0}, {7, 7, 7}, 9));
         const VectorSum forces = sumOf(accelerationsOf(drop, *tension));
         for (const double component : forces.components) EXPECT_NEAR(component, 0, 1e-6 * forces.sizes) << word;
