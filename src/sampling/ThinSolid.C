@@ -2,6 +2,7 @@
 #include "sampling/ThinSolid.H"
 
 #include "meshes/ConnectedPoints.H"
+#include "meshes/PointGrid.H"
 
 #include <algorithm>
 
@@ -19,16 +20,25 @@ struct BackedPlace
     double thickness;                           // m
 };
 
-// Calls take(place) for places all over the surface that have another side behind them.
+// Calls take(place) for places all over the surface that have another side behind them, nearer than `reach` [m].
 template<class Take>
-void forEachBackedPlace(const SurfaceGeometry& surface, const SurfaceDistance& distance, double spacing, const Take& take)
+void forEachBackedPlace(const SurfaceGeometry& surface, const SurfaceDistance& distance, double spacing, double reach, const Take& take)
 {
     constexpr double resolution = 0.6;          // spacings between the places that are looked at
+    constexpr double same = 0.3;                // spacings: of many slivers beside each other one is enough
+    constexpr double sameCosine = 0.996;        // of five degrees
+    PointGrid seen(same*spacing);
+    std::vector<const Vector3*> normals;
     surface.searchPieces(resolution*spacing, [&](const SurfacePoint& place, double radius)
     {
         if (radius > resolution*spacing) return true;
         const Vector3& normal = surface.faceNormal(place.face);
-        const auto behind = distance.behind(place.position, -normal, 1e-3*spacing);
+        bool known = false;
+        seen.forEachWithin(place.position, same*spacing, [&](int i, double) { known |= dot(*normals[i], normal) > sameCosine; });
+        if (known) return false;
+        seen.insert(place.position);
+        normals.push_back(&normal);
+        const auto behind = distance.behind(place.position, -normal, 1e-3*spacing, reach);
         if (behind) take(BackedPlace{place, normal, surface.faceNormal(behind->face), behind->distance});
         return false;
     });
@@ -73,9 +83,9 @@ std::optional<ThinPlace> findThinPlace(const PatchedSurface& surface, double spa
     constexpr double opposite = -0.867;         // cosine of 150 degrees: edges below 30 degrees are thin too, and throw liquid
     constexpr double enough = 1 - 1e-3;         // of the least thickness: two spacings that were rounded are two
     std::optional<ThinPlace> thinnest;
-    forEachBackedPlace(SurfaceGeometry(surface), SurfaceDistance(surface.mesh), spacing, [&](const BackedPlace& at)
+    forEachBackedPlace(SurfaceGeometry(surface), SurfaceDistance(surface.mesh), spacing, enough*leastThickness*spacing, [&](const BackedPlace& at)
     {
-        if (at.thickness >= enough*leastThickness*spacing || dot(at.normal, at.normalBehind) > opposite) return;
+        if (dot(at.normal, at.normalBehind) > opposite) return;
         if (!thinnest || at.thickness < thinnest->thickness) thinnest = ThinPlace{at.place.position, at.thickness};
     });
     return thinnest;
@@ -88,9 +98,9 @@ std::vector<Tip> findTips(const SurfaceGeometry& surface, const SurfaceDistance&
     constexpr std::size_t most = 1000;          // places: more are of a long edge
     std::vector<BackedPlace> places;
     std::vector<Vector3> positions;
-    forEachBackedPlace(surface, distance, spacing, [&](const BackedPlace& at)
+    forEachBackedPlace(surface, distance, spacing, thin*spacing, [&](const BackedPlace& at)
     {
-        if (at.thickness >= thin*spacing || dot(at.normal, at.normalBehind) > opposite) return;
+        if (dot(at.normal, at.normalBehind) > opposite) return;
         if (squaredLength(cross(at.normal, at.normalBehind)) < 1e-6) return;
         places.push_back(at);
         positions.push_back(at.place.position);

@@ -25,7 +25,7 @@ std::vector<LayerParticle> ringAt(const ParticleLayer& layer, const Tip& tip, do
     {
         const double angle = 2*std::numbers::pi*i/count;
         const Vector3 outwards = std::cos(angle)*u + std::sin(angle)*v;
-        const auto side = layer.distance().behind(centre, outwards, 0);
+        const auto side = layer.distance().behind(centre, outwards, 0, deepest*layer.spacing());
         if (side) ring.push_back(layer.particleAt({side->face, centre + side->distance*outwards}));
     }
     return ring;
