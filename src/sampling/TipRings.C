@@ -14,6 +14,7 @@ namespace
 constexpr int count = 3;
 constexpr double radius = 0.45;             // in spacings: they are 0.78 apart
 constexpr double deepest = 8;               // in spacings below the tip
+constexpr double turned = 0.1;              // radians: ways along the edges between facets would find neither
 
 // The particles of a tip whose places on the surface are that far [m] below it; fewer where the surface ends before.
 std::vector<LayerParticle> ringAt(const ParticleLayer& layer, const Tip& tip, double depth)
@@ -23,7 +24,7 @@ std::vector<LayerParticle> ringAt(const ParticleLayer& layer, const Tip& tip, do
     std::vector<LayerParticle> ring;
     for (int i = 0; i < count; ++i)
     {
-        const double angle = 2*std::numbers::pi*i/count;
+        const double angle = turned + 2*std::numbers::pi*i/count;
         const Vector3 outwards = std::cos(angle)*u + std::sin(angle)*v;
         const auto side = layer.distance().behind(centre, outwards, 0, deepest*layer.spacing());
         if (side) ring.push_back(layer.particleAt({side->face, centre + side->distance*outwards}));

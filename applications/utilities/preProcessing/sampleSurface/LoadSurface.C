@@ -71,7 +71,7 @@ std::string description(const RepairedSurface& repaired)
 
 }
 
-PatchedSurface loadSurface(const SampledWall& wall, double spacing)
+RepairedSurface loadSurface(const SampledWall& wall, double spacing)
 {
     refuseMissingSurface(wall);
     PatchedSurface raw = readSurface(wall.file, wall.name);
@@ -102,7 +102,7 @@ PatchedSurface loadSurface(const SampledWall& wall, double spacing)
     for (const std::string& line : repaired.report) std::cout << wall.name << ": " << line << "\n";
     std::cout << wall.name << ": " << description(repaired) << "\n";
     refuseThin(wall, repaired.surface, spacing);
-    return repaired.surface;
+    return repaired;
 }
 
 }
