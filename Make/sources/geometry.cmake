@@ -85,4 +85,5 @@ set(SHIZUKU_SAMPLING_SOURCES
     sampling/SurfaceRepair.C
     sampling/SurfaceSampler.C
     sampling/ThinSolid.C
+    sampling/TipRings.C
 )

@@ -103,8 +103,24 @@ void writeMarks(std::ostream& stream, const std::vector<SurfaceMark>& marks)
     for (const SurfaceMark& mark : marks)
     {
         stream << mark.wall << "\n{\n    surface     \"" << mark.surface << "\";\n    scale       " << mark.scale
-               << ";\n    closeHoles  " << mark.closeHoles << ";\n    sum         \"" << mark.sum << "\";\n}\n";
+               << ";\n    closeHoles  " << mark.closeHoles << ";\n    sum         \"" << mark.sum << "\";\n";
+        if (!mark.form.empty()) stream << "    form        " << mark.form << ";\n";
+        stream << "}\n";
     }
+}
+
+std::vector<std::string> branchingSheets(const std::filesystem::path& casePath)
+{
+    const auto file = casePath/"constant/solid/surfaces";
+    std::vector<std::string> texts;
+    if (!std::filesystem::exists(file)) return texts;
+    const Dictionary made = Dictionary::read(file);
+    for (const std::string& name : made.dictKeys())
+    {
+        if (made.subDict(name).lookupOr<std::string>("form", "") != "branching") continue;
+        texts.push_back("The wall '" + name + "' is of open sheets that meet in an edge: each holds liquid on one side, and what comes round its border goes through");
+    }
+    return texts;
 }
 
 std::string otherSurfaces(const std::filesystem::path& casePath)

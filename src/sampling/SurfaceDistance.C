@@ -7,6 +7,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace shizuku
@@ -48,15 +49,24 @@ SurfaceDistance::Nearest SurfaceDistance::operator()(const Vector3& x) const
     return {length(x - point), point, int(triangle - tree_->triangles.cbegin())};
 }
 
-std::optional<SurfaceDistance::Hit> SurfaceDistance::behind(const Vector3& x, const Vector3& direction, double least) const
+std::optional<SurfaceDistance::Hit> SurfaceDistance::behind
+(
+    const Vector3& x, const Vector3& direction, double least, double most
+) const
 {
-    const Vector3 start = x + least*direction;
-    const Kernel::Ray_3 ray({start.x, start.y, start.z}, Kernel::Vector_3(direction.x, direction.y, direction.z));
-    const auto hit = tree_->tree.first_intersection(ray);
-    if (!hit) return std::nullopt;
-    const auto* point = boost::get<Kernel::Point_3>(&hit->first);
-    if (!point) return std::nullopt;            // the ray lies in the face
-    return Hit{least + std::sqrt(CGAL::squared_distance(ray.source(), *point)), int(hit->second - tree_->triangles.cbegin())};
+    const Vector3 start = x + least*direction, end = x + most*direction;
+    const Kernel::Segment_3 way({start.x, start.y, start.z}, {end.x, end.y, end.z});
+    std::vector<AabbTree::Intersection_and_primitive_id<Kernel::Segment_3>::Type> met;
+    tree_->tree.all_intersections(way, std::back_inserter(met));
+    std::optional<Hit> first;
+    for (const auto& [at, triangle] : met)
+    {
+        const auto* point = boost::get<Kernel::Point_3>(&at);
+        if (!point) continue;                   // the way lies in the face
+        const double distance = least + std::sqrt(CGAL::squared_distance(way.source(), *point));
+        if (!first || distance < first->distance) first = Hit{distance, int(triangle - tree_->triangles.cbegin())};
+    }
+    return first;
 }
 
 }

@@ -85,12 +85,15 @@ public:
         if (degenerate > 0) report.push_back(count(degenerate, "degenerate triangle", "removed"));
         if (duplicate > 0) report.push_back(count(duplicate, "duplicate triangle", "removed"));
         if (walls > 0) report.push_back(count(walls, "triangle", "between solids that touch removed"));
-        if (const std::size_t n = crowdedEdges()) report.push_back(count(n, "edge", "of more than two triangles cut apart"));
+        const std::size_t n = crowdedEdges();
+        branches = n > 0;
+        if (branches) report.push_back(count(n, "edge", "of more than two triangles cut apart"));
     }
 
     std::vector<Kernel::Point_3> points;
     std::vector<std::array<std::size_t, 3>> faces;
     std::vector<int> patch;
+    bool branches = false;                  // edges belong to more than two triangles
 
 private:
     void mergeVertices(const TriangleMesh& mesh, double tolerance)
@@ -379,6 +382,7 @@ RepairedSurface repairSurface(const PatchedSurface& input, double largestHole, c
     auto shell = mesh.add_property_map<Face, std::size_t>("f:shell", 0).first;
     result.shells = PMP::connected_components(mesh, shell);
     result.closed = CGAL::is_closed(mesh);
+    result.branches = soup.branches;
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include "sampling/LayerRelaxation.H"
 #include "sampling/PlanarLattice.H"
 #include "sampling/SeedMethod.H"
+#include "sampling/TipRings.H"
 
 namespace shizuku
 {
@@ -32,6 +33,7 @@ SampledSurface sampleSurface
     std::mt19937_64 random(1);
     Progress progress(what);
 
+    addTipRings(layer);
     addEdgeRows(layer);
     addPlanarLattices(layer);
     SeedMethodTable::New("method", parameters.method, {})->addSeeds(layer, random);

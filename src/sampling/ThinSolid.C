@@ -2,8 +2,7 @@
 #include "sampling/ThinSolid.H"
 
 #include "meshes/ConnectedPoints.H"
-#include "sampling/SurfaceDistance.H"
-#include "sampling/SurfaceGeometry.H"
+#include "meshes/PointGrid.H"
 
 #include <algorithm>
 
@@ -13,21 +12,68 @@ namespace shizuku
 namespace
 {
 
-// Calls take(place, face, what lies behind it) for places all over the surface that have another side behind them.
+// A place of the surface, and the side that is nearest behind it.
+struct BackedPlace
+{
+    SurfacePoint place;
+    Vector3 normal, normalBehind;
+    double thickness;                           // m
+};
+
+// Calls take(place) for places all over the surface that have another side behind them, nearer than `reach` [m].
 template<class Take>
-void forEachPlace(const PatchedSurface& surface, double spacing, const Take& take)
+void forEachBackedPlace(const SurfaceGeometry& surface, const SurfaceDistance& distance, double spacing, double reach, const Take& take)
 {
     constexpr double resolution = 0.6;          // spacings between the places that are looked at
-    const SurfaceGeometry geometry(surface);
-    const SurfaceDistance distance(surface.mesh);
-    geometry.searchPieces(resolution*spacing, [&](const SurfacePoint& place, double radius)
+    constexpr double same = 0.3;                // spacings: of many slivers beside each other one is enough
+    constexpr double sameCosine = 0.996;        // of five degrees
+    PointGrid seen(same*spacing);
+    std::vector<const Vector3*> normals;
+    surface.searchPieces(resolution*spacing, [&](const SurfacePoint& place, double radius)
     {
         if (radius > resolution*spacing) return true;
-        const Vector3& normal = geometry.faceNormal(place.face);
-        const auto behind = distance.behind(place.position, -normal, 1e-3*spacing);
-        if (behind) take(place.position, normal, geometry.faceNormal(behind->face), behind->distance);
+        const Vector3& normal = surface.faceNormal(place.face);
+        bool known = false;
+        seen.forEachWithin(place.position, same*spacing, [&](int i, double) { known |= dot(*normals[i], normal) > sameCosine; });
+        if (known) return false;
+        seen.insert(place.position);
+        normals.push_back(&normal);
+        const auto behind = distance.behind(place.position, -normal, 1e-3*spacing, reach);
+        if (behind) take(BackedPlace{place, normal, surface.faceNormal(behind->face), behind->distance});
         return false;
     });
+}
+
+// Of places that belong to one edge or tip: whether it is a tip. Along an edge the sides look across it; round a tip they look everywhere.
+bool isTip(const std::vector<BackedPlace>& places, const std::vector<int>& group, double near)
+{
+    constexpr double across = 0.5;
+    return std::any_of(group.begin(), group.end(), [&](int i)
+    {
+        const Vector3 edge = normalized(cross(places[i].normal, places[i].normalBehind));
+        return std::any_of(group.begin(), group.end(), [&](int j)
+        {
+            return length(places[i].place.position - places[j].place.position) < near && std::abs(dot(places[j].normal, edge)) > across;
+        });
+    });
+}
+
+// Nothing where the sides look everywhere, as along the rim of a lens.
+std::optional<Tip> tipOf(const SurfaceGeometry& surface, const std::vector<BackedPlace>& places, const std::vector<int>& group, double near)
+{
+    constexpr double alike = 0.7;               // length of the mean direction
+    Vector3 sum;
+    for (const int i : group) sum += normalized(places[i].normal + places[i].normalBehind);
+    if (length(sum) < alike*double(group.size())) return {};
+    Tip tip{places[group.front()].place.position, normalized(sum)};
+    for (const int i : group)
+    {
+        for (const Vector3& corner : surface.corners(places[i].place.face))
+        {
+            if (length(corner - places[i].place.position) < near && dot(corner - tip.position, tip.axis) > 0) tip.position = corner;
+        }
+    }
+    return tip;
 }
 
 }
@@ -37,41 +83,35 @@ std::optional<ThinPlace> findThinPlace(const PatchedSurface& surface, double spa
     constexpr double opposite = -0.867;         // cosine of 150 degrees: edges below 30 degrees are thin too, and throw liquid
     constexpr double enough = 1 - 1e-3;         // of the least thickness: two spacings that were rounded are two
     std::optional<ThinPlace> thinnest;
-    forEachPlace(surface, spacing, [&](const Vector3& position, const Vector3& normal, const Vector3& other, double thickness)
+    forEachBackedPlace(SurfaceGeometry(surface), SurfaceDistance(surface.mesh), spacing, enough*leastThickness*spacing, [&](const BackedPlace& at)
     {
-        if (thickness >= enough*leastThickness*spacing || dot(normal, other) > opposite) return;
-        if (!thinnest || thickness < thinnest->thickness) thinnest = ThinPlace{position, thickness};
+        if (dot(at.normal, at.normalBehind) > opposite) return;
+        if (!thinnest || at.thickness < thinnest->thickness) thinnest = ThinPlace{at.place.position, at.thickness};
     });
     return thinnest;
 }
 
-std::optional<Vector3> findSharpTip(const PatchedSurface& surface, double spacing)
+std::vector<Tip> findTips(const SurfaceGeometry& surface, const SurfaceDistance& distance, double spacing)
 {
-    constexpr double opposite = -0.643;         // cosine of 130 degrees
-    constexpr double thin = 1.5;                // spacings
-    constexpr double across = 0.5;              // along an edge the sides look across it; round a tip they look everywhere
+    constexpr double opposite = -0.342;         // cosine of 110 degrees
+    constexpr double thin = 1.5, near = 4;      // spacings; near: the tip of a cone of 30 degrees, where it is thin
     constexpr std::size_t most = 1000;          // places: more are of a long edge
-    std::vector<Vector3> places, normals, edges;
-    forEachPlace(surface, spacing, [&](const Vector3& position, const Vector3& normal, const Vector3& other, double thickness)
+    std::vector<BackedPlace> places;
+    std::vector<Vector3> positions;
+    forEachBackedPlace(surface, distance, spacing, thin*spacing, [&](const BackedPlace& at)
     {
-        if (thickness >= thin*spacing || dot(normal, other) > opposite || squaredLength(cross(normal, other)) < 1e-6) return;
-        places.push_back(position);
-        normals.push_back(normal);
-        edges.push_back(normalized(cross(normal, other)));
+        if (dot(at.normal, at.normalBehind) > opposite) return;
+        if (squaredLength(cross(at.normal, at.normalBehind)) < 1e-6) return;
+        places.push_back(at);
+        positions.push_back(at.place.position);
     });
-    for (const std::vector<int>& group : connectedPoints(places, spacing))
+    std::vector<Tip> tips;
+    for (const std::vector<int>& group : connectedPoints(positions, spacing))
     {
-        if (group.size() > most) continue;
-        for (const int i : group)
-        {
-            const bool isTip = std::any_of(group.begin(), group.end(), [&](int j)
-            {
-                return length(places[i] - places[j]) < thin*spacing && std::abs(dot(normals[j], edges[i])) > across;
-            });
-            if (isTip) return places[i];
-        }
+        if (group.size() > most || !isTip(places, group, thin*spacing)) continue;
+        if (const auto tip = tipOf(surface, places, group, near*spacing)) tips.push_back(*tip);
     }
-    return {};
+    return tips;
 }
 
 }

@@ -98,6 +98,15 @@ void warnOfPrecision(const Controls& controls, const Dictionary& dict)
     warning("Fewer than 9 digits lose bits of a float: a restarted run will differ", dict.where("writePrecision"));
 }
 
+// Where a run starts.
+TimeFolder startOf(const fs::path& casePath, const Controls& controls, const Dictionary& dict)
+{
+    TimeFolder folder = findStart(casePath, controls, dict);
+    checkEnd(controls, dict, folder.value);
+    warnOfPrecision(controls, dict);
+    return folder;
+}
+
 }
 
 namespace
@@ -112,14 +121,12 @@ void refuseRemoved(const fs::path& casePath)
 
 }
 
-Time::Time(const fs::path& casePath, bool writes)
+Time::Time(const fs::path& casePath, bool writes, const std::function<TimeFolder(const Controls&, const Dictionary&)>& start)
     : case_(casePath), writes_(writes), file_(case_ / "system/controlDict"), dict_(Dictionary::read(file_.path())),
       controls_(readControls(Dictionary::read(file_.path()))), pace_("Time")
 {
-    const TimeFolder folder = findStart(case_, controls_, dict_);
+    const TimeFolder folder = start(controls_, dict_);
     startFolder_ = folder.path;
-    checkEnd(controls_, dict_, folder.value);
-    warnOfPrecision(controls_, dict_);
 
     const TimeState fresh{folder.value, 0, controls_.deltaT, folder.value, 0};
     const std::optional<TimeState> written = readTimeState(folder.path);
@@ -132,6 +139,14 @@ Time::Time(const fs::path& casePath, bool writes)
     use(controls_);
     start_ = state_;
 }
+
+Time::Time(const fs::path& casePath, bool writes)
+    : Time(casePath, writes, [&](const Controls& controls, const Dictionary& dict) { return startOf(casePath, controls, dict); })
+{}
+
+Time::Time(const fs::path& casePath, const TimeFolder& stored)
+    : Time(casePath, false, [&](const Controls&, const Dictionary&) { return stored; })
+{}
 
 void Time::use(const Controls& controls)
 {

@@ -89,6 +89,8 @@ public:
 
     const CsvFile* table() const override { return &table_; }
 
+    std::string needsOfRun() const override { return asked("p") ? "the pressure p, which is not read from stored times" : ""; }
+
     void modelsMade(FlowView& flow) override
     {
         if (!asked("p")) return;

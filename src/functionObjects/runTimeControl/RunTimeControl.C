@@ -183,6 +183,7 @@ public:
     }
 
     bool looksAtDensities() const override { return false; }
+    std::string needsOfRun() const override { return "its end, which it asks for"; }
     bool looksAtParticles() const override { return false; }
     std::string reasonToEnd() const override { return reason_; }
 

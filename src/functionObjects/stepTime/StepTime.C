@@ -43,6 +43,7 @@ public:
     }
 
     bool looksAtDensities() const override { return false; }
+    std::string needsOfRun() const override { return "the time that its steps take"; }
     bool looksAtParticles() const override { return false; }
     const CsvFile* table() const override { return &table_; }
 

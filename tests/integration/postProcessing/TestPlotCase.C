@@ -74,6 +74,22 @@ TEST_F(DropCase, PlotCaseDrawsFunctionObjects)
     drawn("t/0/stepTime", {"wall [ms]"});
 }
 
+// As text, of the run that wrote last; no picture is left.
+TEST_F(DropCase, PlotCaseShowsATableWhileTheRunGoesOn)
+{
+    write("postProcessing/drop/0/liquidState.csv", "time [s],volume [m3],maxSpeed [m/s]\n0,1e-9,1\n0.01,1.1e-9,0.5\n");
+    write("postProcessing/drop/0.01/liquidState.csv", "time [s],volume [m3],drift []\n0.01,1e-9,0\n0.02,1.1e-9,1\n");
+    fs::last_write_time(path()/"postProcessing/drop/0.01/liquidState.csv", fs::file_time_type::clock::now() - std::chrono::hours(1));
+    const std::string of = "-case " + path().string() + " -monitor -every 1 -times 2";
+    const Outcome outcome = plot(of);
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"volume [mm3]", "maxSpeed [m/s]", "time [ms]"}));
+    EXPECT_FALSE(holds(outcome.text, {"drift"}));
+    EXPECT_FALSE(holds(outcome.text, {"warning"})) << outcome.text;
+    EXPECT_FALSE(fs::exists(path()/"postProcessing/drop/0/liquidState.png"));
+    EXPECT_NE(plot(of + " -every never").status, 0);
+}
+
 TEST_F(DropCase, PlotCaseDrawsTheOthersWhereATableHasNothingOrIsWrong)
 {
     const std::string angles = "time [s],angle [deg],prescribed [deg],volumeDrift [%],drop\n";

@@ -150,6 +150,23 @@ TEST_F(PreProcessing, surfacesThatChangedSinceTheyWereSampledAreTold)
     EXPECT_EQ(toldBy("sampleTheta"), "");
 }
 
+TEST_F(PreProcessing, sheetsThatMeetInAnEdgeAreWrittenDown)
+{
+    const auto form = [&](const std::string& triangles)
+    {
+        folder_.write("constant/walls", "fin { type particles; surface \"fin.off\"; }");
+        folder_.write("constant/triSurface/fin.off", triangles);
+        expectSuccess("sampleSurface", {"Wrote constant/solid"});
+        return Dictionary::read(casePath()/"constant/solid/surfaces").subDict("fin").lookup<std::string>("form");
+    };
+    EXPECT_EQ(form("OFF\n4 2 0\n0 0 0\n.02 0 0\n.02 .02 0\n0 .02 0\n3 0 1 2\n3 0 2 3\n"), "open");
+    EXPECT_EQ(form("OFF\n5 3 0\n0 0 0\n.02 0 0\n.02 .02 0\n0 .02 0\n.01 .01 .02\n3 0 1 2\n3 0 2 3\n3 0 2 4\n"), "branching");
+    ASSERT_EQ(branchingSheets(casePath()).size(), 1u);
+    EXPECT_NE(branchingSheets(casePath())[0].find("The wall 'fin' is of open sheets that meet in an edge"), std::string::npos);
+    EXPECT_EQ(form("OFF\n4 4 0\n0 0 0\n.02 0 0\n0 .02 0\n0 0 .02\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"), "closed");
+    EXPECT_TRUE(branchingSheets(casePath()).empty());
+}
+
 TEST_F(PreProcessing, casesWithoutSampledWallsNeedNothing)
 {
     folder_.write("constant/walls", "lid { type plane; point (0 0 1); normal (0 0 -1); }");

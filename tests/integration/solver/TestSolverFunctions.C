@@ -3,8 +3,10 @@
 
 #include "SolverCase.H"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 namespace shizuku::test
 {
@@ -68,6 +70,55 @@ TEST_P(Functions, AllOfThemInOneRun)
     ASSERT_EQ(outcome.status, 0) << outcome.text;
     EXPECT_EQ(rows("size/0.004/volume.csv").size(), 2u);
     EXPECT_EQ(rows("size/0/volume.csv").size(), 4u);
+}
+
+// What postProcess makes of stored times is what the run had there, every second of whose times is written. Places and velocities are stored to the bit, and so are
+// their sums; sums over neighbours differ as lists do that were made before the step's pressure: 1e-3 of densities, where single precision has 1e-6.
+TEST_P(Functions, StoredTimesHaveTheRowsOfTheRun)
+{
+    fill({0.1, 0, -0.3});
+    control
+    (
+        "writeInterval 2; functions { drop { type liquidState; } box { type boundingBox; executeControl writeTime; } angle { type contactAngle; wall floor; }"
+        " gauges { type probes; fields (rho U); probeLocations ((0 0 2e-3)); } timing { type stepTime; } off { type energy; enabled no; } }"
+    );
+    ASSERT_EQ(solve().status, 0);
+    const auto before = contents("postProcessing");
+    const Outcome outcome = call("postProcess", "-time 0.001:");
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"The function object 'timing' needs a run: the time that its steps take. It is left out"}));
+    for (const auto& [file, bytes] : before)
+    {
+        if (!file.ends_with('/')) EXPECT_EQ(read("postProcessing/" + file), bytes) << file;        // the run's own stay
+    }
+    const std::tuple<std::string, std::string, std::size_t, double> tables[] =
+    {
+        {"drop", "liquidState", 10, 1e-9}, {"box", "boundingBox", 7, 1e-9}, {"angle", "contactAngle", 6, 1e-6}, {"gauges", "probes", 10, 1e-3}
+    };
+    for (const auto& [name, file, columns, tolerance] : tables)
+    {
+        SCOPED_TRACE(name);
+        const auto ofRun = rows(name + "/0/" + file + ".csv"), stored = rows(name + ".stored/0.002/" + file + ".csv");
+        ASSERT_EQ(stored.size(), 2u);
+        for (const auto& row : stored)
+        {
+            const auto same = std::find_if(ofRun.begin(), ofRun.end(), [&](const auto& other) { return other[0] == row[0]; });
+            ASSERT_NE(same, ofRun.end()) << row[0];
+            ASSERT_EQ(same->size(), row.size());
+            for (std::size_t c = 0; c < std::min(columns, row.size()); ++c)
+            {
+                if (std::isnan((*same)[c])) EXPECT_TRUE(std::isnan(row[c])) << c;
+                else EXPECT_NEAR(row[c], (*same)[c], tolerance*std::max(std::abs(row[c]), 1e-12)) << c;
+            }
+        }
+    }
+    EXPECT_FALSE(exists("postProcessing/off.stored"));
+
+    // A type that the case does not name; what needs a run, asked for; what nobody knows.
+    ASSERT_EQ(call("postProcess", "-func volume -latestTime").status, 0);
+    EXPECT_EQ(rows("volume.stored/0.004/volume.csv").size(), 1u);
+    expectRefusal({"The function object 'timing' needs a run", "system/controlDict"}, "-func timing", "", "postProcess");
+    expectRefusal({"There is no function object 'dorp'", "drop"}, "-func dorp", "", "postProcess");
 }
 
 // As OpenFOAM's cases have them: libraries are of no use here, and what is not enabled is neither read nor run.

@@ -11,8 +11,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 
 namespace shizuku::test
@@ -214,18 +218,78 @@ TEST(ThinSolid, blocksEdgesAndSheetsAreNotThin)
     EXPECT_FALSE(findThinPlace(joined(cube(12), moved(cube(12), Vector3(0, 0, 12.5))), 1));
 }
 
-TEST(ThinSolid, tipsOfNeedlesAreFound)
+std::vector<Tip> tipsOf(const PatchedSurface& surface)
 {
-    for (const double degrees : {20, 30, 45})
+    return findTips(SurfaceGeometry(surface), SurfaceDistance(surface.mesh), 1);
+}
+
+TEST(ThinSolid, tipsOfConesAreFoundWhereTheyAre)
+{
+    for (const double degrees : {20, 30, 45, 60, 65})
     {
-        const auto tip = findSharpTip(cone(degrees), 1);
-        ASSERT_TRUE(tip) << degrees;
-        EXPECT_LT(length(*tip), 5) << degrees;      // a cone of 20 degrees is 1.5 thick 4.3 below its tip
+        SCOPED_TRACE(degrees);
+        const std::vector<Tip> tips = tipsOf(cone(degrees));
+        ASSERT_EQ(tips.size(), 1u);
+        EXPECT_EQ(length(tips[0].position), 0);
+        EXPECT_GT(tips[0].axis.z, 0.999);           // sides and rays of 48 facets do not meet the axis exactly
     }
-    for (const PatchedSurface& surface : {cone(60), cone(90), wedge(35), wedge(60), cube(12), sphere(6, 3), plate(2), rectangle(20, 20)})
+    for (const PatchedSurface& surface : {cone(90), wedge(35), wedge(60), cube(12), sphere(6, 3), plate(2), rectangle(20, 20)})
     {
-        EXPECT_FALSE(findSharpTip(surface, 1)) << surface.patches.front();
+        EXPECT_TRUE(tipsOf(surface).empty()) << surface.patches.front();
     }
+}
+
+TEST(Sampling, tipsGetARingAndNothingAboveIt)
+{
+    for (const double degrees : {30, 45, 60})
+    {
+        SCOPED_TRACE(degrees);
+        const SampledSurface sampled = sample(cone(degrees));
+        expectGoodCover(sampled.quality);
+        std::vector<std::size_t> order(sampled.particles.positions.size());
+        std::iota(order.begin(), order.end(), 0u);
+        const auto& x = sampled.particles.positions;
+        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return x[a].z > x[b].z; });
+        // A layer half a spacing inside of a cone of the angle 2h is r wide where it is 0.5/sin h + r/tan h deep.
+        const double half = 0.5*degrees*std::numbers::pi/180, deep = 0.5/std::sin(half) + 0.45/std::tan(half);
+        for (int i = 0; i < 3; ++i)
+        {
+            const Vector3& at = x[order[i]];
+            const Vector3& n = sampled.particles.normals[order[i]];
+            EXPECT_NEAR(std::hypot(at.x, at.y), 0.45, 0.05);        // normals of three of 48 facets do not meet the axis exactly
+            EXPECT_NEAR(at.z, -deep, 0.15);
+            EXPECT_GT(at.x*n.x + at.y*n.y, 0.4*std::cos(half));     // looks away from the axis
+        }
+        EXPECT_LT(x[order[3]].z, x[order[2]].z - 0.2);
+    }
+}
+
+// A disc 30 wide of so many slivers round its middle, the middle of a plate 4 thick.
+PatchedSurface discOfSlivers(int slivers)
+{
+    PatchedSurface surface;
+    surface.mesh.vertices = {{0, 0, 0}, {0, 0, -4}};
+    for (int i = 0; i < slivers; ++i)
+    {
+        const double angle = 2*std::numbers::pi*i/slivers;
+        for (const double z : {0.0, -4.0}) surface.mesh.vertices.emplace_back(15*std::cos(angle), 15*std::sin(angle), z);
+        const int a = 2 + 2*i, b = 2 + 2*((i + 1) % slivers);
+        for (const auto& face : {std::array{0, a, b}, {1, b + 1, a + 1}, {a, a + 1, b + 1}, {a, b + 1, b}}) surface.mesh.faces.push_back(face);
+    }
+    surface.patch.assign(surface.mesh.faces.size(), 0);
+    surface.patches = {"disc"};
+    return surface;
+}
+
+TEST(ThinSolid, manySliversTakeNoLongerThanTheirAreaDoes)
+{
+    const auto secondsFor = [](int slivers)
+    {
+        const auto start = std::chrono::steady_clock::now();
+        EXPECT_FALSE(findThinPlace(discOfSlivers(slivers), 1));
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    EXPECT_LT(secondsFor(1000), 5);         // 0.1 s as a rule, 28 s where each sliver sends rays through all others
 }
 
 TEST(Slivers, areLeftOutAndSaid)

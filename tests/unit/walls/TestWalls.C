@@ -211,16 +211,21 @@ TEST(Walls, FitTangentPlanesToASampledSphere)
     }
 }
 
-// With tangent planes, liquid goes back to half a spacing before the sampled surface, as before an analytic one.
+// With tangent planes, liquid goes back to half a spacing before the sampled surface, as before an analytic one; hardly farther than it was before the step.
 TEST(Walls, PutLiquidBackHalfASpacingBeforeATangentPlane)
 {
     LiquidCase drop({.walls = sampledFloor, .solidPositions = latticeBlock(15, 15, 1, 1, {-7, -7, -0.5f})});
     drop.useWalls(4 * drop.liquid.spacing());
-    drop.place({{0.3f, 0.2f, 0.1f}, {-2, 1.5f, 0.7f}});
+    drop.place({{0.3f, 0.2f, 0.1f}, {-2, 1.5f, 0.7f}, {2, 1.5f, 0.1f}});
+    const scalar d = drop.liquid.spacing();
+    auto before = vectors(drop.liquid.position);
+    for (Vec3& x : before) x.z = x.x > d ? 0.3f * d : d;
+    drop.liquid.position.upload(placed(before));
     drop.walls.project(drop.liquid);
     const auto moved = drop.inOrder(drop.liquid.predicted);
-    EXPECT_NEAR(moved[0].z, 0.5f * drop.liquid.spacing(), 2 * quanta::each);
-    EXPECT_EQ(moved[1].z, rounded(0.7f * drop.liquid.spacing()));
+    EXPECT_NEAR(moved[0].z, 0.5f * d, 2 * quanta::each);
+    EXPECT_EQ(moved[1].z, rounded(0.7f * d));
+    EXPECT_NEAR(moved[2].z, 0.32f * d, 2 * quanta::each);
 }
 
 TEST(Walls, PutLiquidBackHalfASpacingOutside)

@@ -85,6 +85,7 @@ void SolvedCase::readSurfaces(Findings& findings)
         findings.attempt([&]
         {
             if (const std::string text = otherSurfaces(path); !text.empty()) findings.warn(text);
+            for (const std::string& text : branchingSheets(path)) findings.warn(text);
         });
     }
     else

@@ -53,14 +53,6 @@ void refuseThin(const SampledWall& wall, const PatchedSurface& surface, double s
     throw FatalInputError(wall.where, found.str(), expected.str());
 }
 
-void warnOfTip(const SampledWall& wall, const PatchedSurface& surface, double spacing)
-{
-    const auto tip = findSharpTip(surface, spacing);
-    if (!tip) return;
-    warning("The solid of wall '" + wall.name + "' has a tip sharper than 50 degrees at " + str(*tip)
-        + " m: liquid that hits it may lose particles at many times its speed\nExpected: a rounder tip, or one that liquid stays off", wall.where);
-}
-
 // Which side the liquid is on, for those whose file has it wrong.
 std::string description(const RepairedSurface& repaired)
 {
@@ -79,7 +71,7 @@ std::string description(const RepairedSurface& repaired)
 
 }
 
-PatchedSurface loadSurface(const SampledWall& wall, double spacing)
+RepairedSurface loadSurface(const SampledWall& wall, double spacing)
 {
     refuseMissingSurface(wall);
     PatchedSurface raw = readSurface(wall.file, wall.name);
@@ -110,8 +102,7 @@ PatchedSurface loadSurface(const SampledWall& wall, double spacing)
     for (const std::string& line : repaired.report) std::cout << wall.name << ": " << line << "\n";
     std::cout << wall.name << ": " << description(repaired) << "\n";
     refuseThin(wall, repaired.surface, spacing);
-    warnOfTip(wall, repaired.surface, spacing);
-    return repaired.surface;
+    return repaired;
 }
 
 }

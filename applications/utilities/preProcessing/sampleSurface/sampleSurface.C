@@ -110,12 +110,13 @@ void run(const Arguments& args)
     SolidParticles solid;
     for (const SampledWall& wall : walls)
     {
-        const PatchedSurface surface = loadSurface(wall, parameters.spacing);
-        const SampledSurface sampled = sampleSurface(surface, parameters, "Sampling " + wall.file.filename().string());
+        const RepairedSurface surface = loadSurface(wall, parameters.spacing);
+        const SampledSurface sampled = sampleSurface(surface.surface, parameters, "Sampling " + wall.file.filename().string());
         report(wall.name, sampled.quality, parameters.spacing);
         refuseSharedPatches(solid, sampled.particles, wall);
         solid.append(sampled.particles);
         solid.marks.push_back(SurfaceMark::of(wall));
+        solid.marks.back().form = surface.closed ? "closed" : surface.branches ? "branching" : "open";
     }
     writeSolidParticles(args.casePath(), solid, format);
     std::cout << "Wrote constant/solid: " << solid.positions.size() << " particles\n";
