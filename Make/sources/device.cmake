@@ -6,7 +6,6 @@ set(SHIZUKU_DEVICE_SOURCES
     device/Profile.C
     device/ProfileTable.C
     particles/Units.C
-    parallel/ParallelRun.C
     parallel/PartsOfProcess.C
     particles/FieldRegistry.C
     particles/Ghosts.C

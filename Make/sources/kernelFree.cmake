@@ -9,7 +9,6 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     neighbours/Neighbourhood.C
     neighbours/RowCut.C
     neighbours/WholeLiquid.C
-    parallel/ParallelRun.C
     parallel/PartsOfProcess.C
     walls/HalfSpace.C
     maths/CohesionSpline.C
