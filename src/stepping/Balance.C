@@ -3,9 +3,9 @@
 
 #include "core/messages/Error.H"
 #include "device/ForEach.H"
+#include "motion/Motion.H"
 
 #include <algorithm>
-#include <cstring>
 #include <iostream>
 
 namespace shizuku
@@ -37,26 +37,6 @@ ParticlesOfRows countRows(const std::vector<std::uint32_t>& rows)
     ParticlesOfRows counts;
     for (const std::uint32_t row : rows) ++counts[int(row)];
     return counts;
-}
-
-// Those of all parts.
-ParticlesOfRows addUp(const ParticlesOfRows& own, const Communicator& parts)
-{
-    struct Row
-    {
-        std::int64_t row, particles;
-    };
-    std::vector<Row> list;
-    for (const auto& [row, particles] : own) list.push_back({row, particles});
-    const auto* const first = reinterpret_cast<const std::byte*>(list.data());
-    ParticlesOfRows all;
-    for (const Bytes& bytes : parts.exchange(std::vector<Bytes>(parts.parts(), Bytes(first, first + list.size() * sizeof(Row)))))
-    {
-        list.resize(bytes.size() / sizeof(Row));
-        if (!bytes.empty()) std::memcpy(list.data(), bytes.data(), bytes.size());
-        for (const Row& each : list) all[int(each.row)] += each.particles;
-    }
-    return all;
 }
 
 // The largest part over the average.
@@ -97,8 +77,9 @@ BalanceControls BalanceControls::read(const std::filesystem::path& casePath)
     return controls;
 }
 
-void Balance::begin(Liquid& liquid, Neighbourhood& near, const Communicator& parts)
+void Balance::begin(Liquid& liquid, Neighbourhood& near)
 {
+    const Communicator& parts = liquid.parts();
     if (parts.parts() > RowCut::mostParts)
     {
         throw FatalInputError
@@ -107,30 +88,19 @@ void Balance::begin(Liquid& liquid, Neighbourhood& near, const Communicator& par
             std::to_string(RowCut::mostParts) + " at most: mpirun -np " + std::to_string(RowCut::mostParts)
         );
     }
-    const bool acrossZ = controls_.acrossZ.value_or
-    (
-        countRows(rowsOf(liquid, near, {1, true})).size() > countRows(rowsOf(liquid, near, {1, false})).size()
-    );
-    cut_.acrossZ = acrossZ;
-    const std::vector<std::uint32_t> rows = rowsOf(liquid, near, cut_);
-    const ParticlesOfRows counts = countRows(rows);
-    cut_ = cutEvenly(counts, parts.parts(), acrossZ);
-    if (counts.size() < std::size_t(parts.parts()))
+    const auto counts = [&](bool acrossZ) { return addUp(countRows(rowsOf(liquid, near, {1, acrossZ})), parts); };
+    const bool acrossZ = controls_.acrossZ ? *controls_.acrossZ : counts(true).size() > counts(false).size();
+    const ParticlesOfRows rows = counts(acrossZ);
+    cut_ = cutEvenly(rows, parts.parts(), acrossZ);
+    if (rows.size() < std::size_t(parts.parts()))
     {
-        warning("There are " + std::to_string(parts.parts()) + " parts and " + std::to_string(counts.size()) + " rows of cells with liquid: some parts have none");
+        warning("There are " + std::to_string(parts.parts()) + " parts and " + std::to_string(rows.size()) + " rows of cells with liquid: some parts have none");
     }
-
-    std::vector<std::uint32_t> own;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-    {
-        if (cut_.partOf(int(rows[i])) == parts.part()) own.push_back(std::uint32_t(i));
-    }
-    liquid.fields().reorder(Buffer<std::uint32_t>(own));
-    liquid.resize(int(own.size()));
-    liquid.ghosts().join(parts);
     near.cut(cut_);
+    predictPositions(liquid, 0);
+    near.search(liquid, 0);
     const std::string link = liquid.ghosts().linkName();
-    std::cout << "Parts  : " << parts.parts() << ", cut across " << directionOf(cut_) << ", the largest " << imbalance(counts, cut_) << " of the average"
+    std::cout << "Parts  : " << parts.parts() << ", cut across " << directionOf(cut_) << ", the largest " << imbalance(rows, cut_) << " of the average"
               << (link.empty() ? "" : ", linked by " + link) << std::endl;
 }
 

@@ -3,6 +3,8 @@
 
 #include "SolverCase.H"
 
+#include "core/fieldFile/FieldFile.H"
+
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -195,6 +197,43 @@ TEST_P(Parallel, RefusesWhatItCannotDoOnceAndLeavesTheCase)
     write("system/solution", "spacing 1e-3;\n");
     write("constant/models", "pressure WCSPH;\nsurfaceTension none;\nwetting none;\nviscosity XSPH;\nbodyForce none;\n");
     refused({"The liquid cannot be cut into parts with pressure WCSPH"});
+}
+
+// The ranks read a share each. Six particles of two shares in one place: the density there is above 1.9.
+TEST_P(Parallel, LooksAtTheStartAsOneProcessDoes)
+{
+    FieldData positions = readField(path()/"0/liquid/positions");
+    const std::size_t middle = 3*(positions.elements()/2);
+    for (std::size_t k = 0; k < 15; ++k) positions.values[middle + k] = positions.values[k%3] + (k%3 == 0 ? 1e-5*double(k) : 0);
+    writeField(path()/"0/liquid/positions", positions, {});
+    const auto found = [](const std::string& text) { return text.substr(text.find("--> FATAL"), text.find("stopped") - text.find("--> FATAL")); };
+    const Outcome one = solve(), several = run(parallel(3));
+    ASSERT_EQ(one.status, 1);
+    EXPECT_EQ(several.status, 1);
+    EXPECT_TRUE(holds(one.text, {"starts overlapping itself"}));
+    EXPECT_EQ(found(several.text), found(one.text));
+
+    write("system/solution", read("system/solution") + "overlaps relax;\n");
+    control("endTime 2e-3;");
+    const Outcome relaxed = solve();
+    ASSERT_EQ(relaxed.status, 0) << relaxed.text;
+    EXPECT_TRUE(holds(relaxed.text, {"were moved apart in"}));
+    const Contents whole = contents("0.002");
+    removeResults();
+    const Outcome inParts = run(parallel(3));
+    ASSERT_EQ(inParts.status, 0) << inParts.text;
+    EXPECT_TRUE(same(whole, contents("0.002")));
+}
+
+TEST_P(Parallel, RefusesLiquidInsideOfWallsThatOneRankFinds)
+{
+    FieldData positions = readField(path()/"0/liquid/positions");
+    const std::size_t last = positions.elements() - 1;
+    positions.values[3*last + 2] = -5e-3;
+    writeField(path()/"0/liquid/positions", positions, {});
+    const Outcome outcome = run(parallel(2));
+    EXPECT_EQ(outcome.status, 1) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"Liquid particle " + std::to_string(last) + " at ", "is inside the solid"}));
 }
 
 // Only the first rank looks at the lock.
