@@ -7,6 +7,7 @@
 #include "CaseChanges.H"
 #include "CaseWriter.H"
 #include "Divergence.H"
+#include "FallenLiquid.H"
 #include "ProfileReport.H"
 #include "SameFiles.H"
 #include "StepReport.H"
@@ -62,6 +63,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     TimeStep step(time, setup, near);
     reportStart(flow, liquid);
     limitStepsOfBlobs(flow, liquid, step);
+    FallenLiquid fallen(setup);
     if (args.found("dry-run"))
     {
         const std::optional<RowCut> cut = isCut ? std::optional(balance.cut()) : std::nullopt;
@@ -94,6 +96,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         const bool densitiesAreDue = time.reportDue() || functions.lookAtDensities(time);
         if (densitiesAreDue) flow.computeDensities();
         takeOut(setup, near, flow, time);
+        if (time.reportDue()) fallen.warn(liquid);
         step.beginNext(steps);
         refuseDivergence(time, steps, step, setup, writer);
 
