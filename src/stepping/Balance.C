@@ -6,6 +6,8 @@
 #include "motion/Motion.H"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iostream>
 
 namespace shizuku
@@ -54,8 +56,42 @@ double imbalance(const ParticlesOfRows& rows, const RowCut& cut)
     return imbalance(particles);
 }
 
+// Words of OpenFOAM are told apart from others: they have a reason.
+std::string readMethod(const Dictionary& dict)
+{
+    const std::vector<std::string> known{"rows", "simple"}, ofOpenFoam{"hierarchical", "kahip", "manual", "metis", "multiLevel", "none", "scotch", "structured"};
+    const std::string method = dict.lookupOr<std::string>("method", "rows");
+    if (std::find(ofOpenFoam.begin(), ofOpenFoam.end(), method) == ofOpenFoam.end()) return dict.lookupChoiceOr("method", known, "rows");
+    throw FatalInputError
+    (
+        dict.where("method"), "The method '" + method + "' cuts a mesh; liquid moves, and is cut between rows of cells alone", "", known, method
+    );
+}
+
 const char* directionOf(const RowCut& cut) { return cut.acrossZ ? "z" : "y"; }
 
+}
+
+// As OpenFOAM has it: so many parts along each axis.
+void BalanceControls::readSimple(const Dictionary& dict)
+{
+    const Dictionary coeffs = dict.subDict("simpleCoeffs");
+    const auto n = coeffs.lookup<std::array<double, 3>>("n");
+    const bool whole = std::all_of(n.begin(), n.end(), [](double parts) { return parts >= 1 && parts <= RowCut::mostParts && parts == std::floor(parts); });
+    if (!whole || n[0] > 1 || (n[1] > 1 && n[2] > 1))
+    {
+        throw FatalInputError
+        (
+            coeffs.where("n"), "The liquid cannot be cut so: rows of cells along x stay whole, and cuts lie across one direction", "(1 N 1) or (1 1 N), N parts"
+        );
+    }
+    const long all = std::lround(n[1] * n[2]);
+    if (parts && *parts != all)
+    {
+        throw FatalInputError(coeffs.where("n"), "These are " + std::to_string(all) + " parts, and numberOfSubdomains is " + std::to_string(*parts), "as many");
+    }
+    parts = all;
+    if (all > 1) acrossZ = n[2] > 1;
 }
 
 BalanceControls BalanceControls::read(const std::filesystem::path& casePath)
@@ -64,8 +100,13 @@ BalanceControls BalanceControls::read(const std::filesystem::path& casePath)
     const auto file = casePath / "system/decomposeParDict";
     if (!std::filesystem::exists(file)) return controls;
     const Dictionary dict = Dictionary::read(file);
-    dict.lookupChoiceOr("method", {"rows"}, "rows");
+    if (dict.found("numberOfSubdomains")) controls.parts = dict.lookup<long>("numberOfSubdomains");
+    if (readMethod(dict) == "simple") controls.readSimple(dict);
     const std::string direction = dict.lookupChoiceOr("direction", {"y", "z", "auto"}, "auto");
+    if (direction != "auto" && controls.acrossZ.value_or(direction == "z") != (direction == "z"))
+    {
+        throw FatalInputError(dict.where("direction"), "The direction is " + direction + ", and simpleCoeffs cut across the other one", "one of the two");
+    }
     if (direction != "auto") controls.acrossZ = direction == "z";
     controls.rebalanceAbove = dict.lookupOr("rebalanceAbove", controls.rebalanceAbove);
     if (!(controls.rebalanceAbove >= 0))
@@ -86,6 +127,14 @@ void Balance::begin(Liquid& liquid, Neighbourhood& near)
         (
             {}, "The liquid cannot be cut into " + std::to_string(parts.parts()) + " parts",
             std::to_string(RowCut::mostParts) + " at most: mpirun -np " + std::to_string(RowCut::mostParts)
+        );
+    }
+    if (controls_.parts && *controls_.parts != parts.parts())
+    {
+        throw FatalInputError
+        (
+            {}, "system/decomposeParDict has " + std::to_string(*controls_.parts) + " parts, and there are " + std::to_string(parts.parts()) + " processes",
+            "mpirun -np " + std::to_string(*controls_.parts) + ", or no number of parts there"
         );
     }
     const auto counts = [&](bool acrossZ) { return addUp(countRows(rowsOf(liquid, near, {1, acrossZ})), parts); };

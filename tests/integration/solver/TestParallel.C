@@ -128,8 +128,10 @@ TEST_P(Parallel, GoesOnWithAnotherNumberOfRanks)
     control("writeFormat binary; endTime 1e-3;");
     ASSERT_EQ(run(parallel(2)).status, 0);
     control("writeFormat binary; endTime 2e-3;");
-    write("system/decomposeParDict", "method rows;\ndirection z;\nrebalanceAbove 0;\n");
-    ASSERT_EQ(run(parallel(3)).status, 0);
+    write("system/decomposeParDict", "method simple;\nsimpleCoeffs { n (1 1 3); }\nrebalanceAbove 0;\n");
+    const Outcome three = run(parallel(3));
+    ASSERT_EQ(three.status, 0) << three.text;
+    EXPECT_TRUE(holds(three.text, {"Parts  : 3, cut across z"}));
     control("writeFormat binary;");
     ASSERT_EQ(solve().status, 0);
     EXPECT_TRUE(same(whole, contents("0.004")));
@@ -190,13 +192,38 @@ TEST_P(Parallel, RefusesWhatItCannotDoOnceAndLeavesTheCase)
         EXPECT_TRUE(same(kept, contents()));
     };
     write("system/decomposeParDict", "method scotch;\n");
-    refused({"scotch", "system/decomposeParDict at line 1", "rows"});
+    refused({"scotch", "liquid moves", "system/decomposeParDict at line 1", "rows", "simple"});
+    write("system/decomposeParDict", "method lines;\n");
+    refused({"lines", "system/decomposeParDict at line 1", "rows", "simple"});
+    write("system/decomposeParDict", "method simple;\nsimpleCoeffs { n (3 1 1); }\n");
+    refused({"rows of cells along x stay whole", "(1 N 1)"});
+    write("system/decomposeParDict", "numberOfSubdomains 4;\n");
+    refused({"has 4 parts, and there are 3 processes", "mpirun -np 4"});
     write("system/decomposeParDict", "rebalanceAbove -1;\n");
     refused({"The share is negative"});
     remove("system/decomposeParDict");
     write("system/solution", "spacing 1e-3;\n");
     write("constant/models", "pressure WCSPH;\nsurfaceTension none;\nwetting none;\nviscosity XSPH;\nbodyForce none;\n");
     refused({"The liquid cannot be cut into parts with pressure WCSPH"});
+}
+
+// Of a block of 294 particles: each rank has some, and what it needs.
+TEST_P(Parallel, ADryRunTellsWhatEachRankNeeds)
+{
+    const Contents kept = contents();
+    const Outcome outcome = run(parallel(3, "-dry-run"));
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const std::regex line("part (\\d) +: (\\d+) particles, ([0-9.e+-]+) MiB");
+    int ranks = 0, all = 0;
+    for (std::sregex_iterator next(outcome.text.begin(), outcome.text.end(), line), end; next != end; ++next)
+    {
+        EXPECT_EQ(std::stoi((*next)[1]), ranks++);
+        all += std::stoi((*next)[2]);
+        EXPECT_GT(std::stod((*next)[3]), 0);
+    }
+    EXPECT_EQ(ranks, 3) << outcome.text;
+    EXPECT_EQ(all, particles);
+    EXPECT_TRUE(same(kept, contents()));
 }
 
 // The ranks read a share each. Six particles of two shares in one place: the density there is above 1.9.
