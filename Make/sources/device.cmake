@@ -90,6 +90,7 @@ set(SHIZUKU_DEVICE_SOURCES
     surface/MarchingCubesTable.C
     surface/BlockMap.C
     surface/LiquidSurface.C
+    surface/SurfaceCut.C
     surface/CaseSurface.C
     stepping/Balance.C
     stepping/CaseSetup.C

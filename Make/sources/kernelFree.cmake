@@ -43,6 +43,7 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     models/bodyForce/gravity/Gravity.C
     surface/MarchingCubesTable.C
     surface/CaseSurface.C
+    surface/SurfaceCut.C
     stepping/DryRun.C
     stepping/StepControl.C
     stepping/CaseSetup.C
