@@ -8,7 +8,7 @@ set(SHIZUKU_DEVICE_APPLICATIONS
 )
 set(pbfDroplet_SOURCES pbfDroplet.C CaseChanges.C CaseWriter.C Divergence.C FallenLiquid.C SameFiles.C StepReport.C ProfileReport.C Ceilings.C)
 set(pbfDroplet_KERNELS ProfileReport.C Ceilings.C FallenLiquid.C)
-set(meshSurface_SOURCES meshSurface.C MeshTimes.C)
+set(meshSurface_SOURCES meshSurface.C MeshOfParts.C MeshTimes.C)
 set(adviseCase_SOURCES adviseCase.C CaseForecast.C SolverStart.C)
 set(adviseCase_LINK shizukuAdvice)
 set(checkCase_SOURCES checkCase.C Findings.C LiquidReport.C SolidReport.C SolvedCase.C)
