@@ -214,6 +214,7 @@ void LiquidSurface::build(Span<const Position> positions, const SurfaceCut& cut)
     normals_.resizeDiscarding(0);
     triangles_.resizeDiscarding(0);
     particles_.resizeDiscarding(0);
+    numbers_ = {};
     if (positions.size == 0 && !isCut) return;
 
     blocks_.collect(positions, cut.own());
@@ -224,6 +225,7 @@ void LiquidSurface::build(Span<const Position> positions, const SurfaceCut& cut)
     if (isCut) takeInsideOfLayerAbove(cut);
     countCrossings(isCut ? RowView::rows * blocks_.layer(cut.own().high).before : inside_.size());
     if (isCut) numberVertices(cut);
+    else numbers_ = {vertices_.size(), 0, {}};
     placeVertices();
 }
 
@@ -311,7 +313,6 @@ void LiquidSurface::numberVertices(const SurfaceCut& cut)
     std::vector<VerticesOfBlock> theirs;
     if (const auto next = cut.above()) appendTo(theirs, from[*next]);
 
-    numbers_ = {};
     for (const std::uint64_t key : above.keys)
     {
         const auto found = ofBlock(theirs, key);

@@ -369,8 +369,7 @@ TEST(LiquidSurface, IsMadeByPartsAsByOne)
             const auto [cut, near] = surface.particlesOfLayers({places.begin() + long(first), places.begin() + long(end)}, own);
             surface.build(Buffer<Position>(near).span(), cut);
             const SurfaceMesh piece = surface.download();
-            LiquidSurface::Numbers numbers = surface.numbers();
-            if (parts == 1) numbers = {int(piece.vertices.size()), 0, {}};
+            const LiquidSurface::Numbers& numbers = surface.numbers();
             const std::lock_guard lock(mutex);
             for (const std::uint32_t corner : piece.triangles)
             {

@@ -43,8 +43,7 @@ struct FirstVertex
 MeshOfParts::MeshOfParts(const LiquidSurface& surface, double unit, const SurfaceCut& cut)
 : parts_(cut.parts), piece_(toTriangleMesh(surface.download(), unit)), numbers_(surface.numbers())
 {
-    if (parts_.parts() == 1) numbers_ = {int(piece_.vertices.size()), 0, {}};
-    else takeVerticesOfOthers(cut);
+    if (parts_.parts() > 1) takeVerticesOfOthers(cut);
     const Counts all = parts_.fold(Counts{std::int64_t(piece_.faces.size()), numbers_.own});
     triangles_ = all.triangles;
     vertices_ = all.vertices;
