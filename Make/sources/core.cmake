@@ -53,4 +53,6 @@ set(SHIZUKU_CORE_SOURCES
     core/time/TimeSelection.C
     core/time/TimeState.C
     core/time/WatchedFile.C
+    parallel/AllParts.C
+    parallel/ParallelRun.C
 )

@@ -6,7 +6,6 @@ set(SHIZUKU_DEVICE_SOURCES
     device/Profile.C
     device/ProfileTable.C
     particles/Units.C
-    parallel/ParallelRun.C
     parallel/PartsOfProcess.C
     particles/FieldRegistry.C
     particles/Ghosts.C
@@ -90,6 +89,7 @@ set(SHIZUKU_DEVICE_SOURCES
     surface/MarchingCubesTable.C
     surface/BlockMap.C
     surface/LiquidSurface.C
+    surface/SurfaceCut.C
     surface/CaseSurface.C
     stepping/Balance.C
     stepping/CaseSetup.C

@@ -9,7 +9,6 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     neighbours/Neighbourhood.C
     neighbours/RowCut.C
     neighbours/WholeLiquid.C
-    parallel/ParallelRun.C
     parallel/PartsOfProcess.C
     walls/HalfSpace.C
     maths/CohesionSpline.C
@@ -44,6 +43,7 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     models/bodyForce/gravity/Gravity.C
     surface/MarchingCubesTable.C
     surface/CaseSurface.C
+    surface/SurfaceCut.C
     stepping/DryRun.C
     stepping/StepControl.C
     stepping/CaseSetup.C

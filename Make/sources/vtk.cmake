@@ -6,6 +6,8 @@ set(SHIZUKU_VTK_SOURCES
     vtk/Picture.C
     vtk/PictureParts.C
     vtk/PngChunks.C
+    vtk/PvtpFile.C
+    vtk/PvtpFormat.C
     vtk/SoftShadow.C
     vtk/StudioFloor.C
     vtk/StudioSurroundings.C

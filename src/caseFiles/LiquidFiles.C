@@ -3,7 +3,6 @@
 
 #include "caseFiles/VectorField.H"
 #include "core/dictionary/Dictionary.H"
-#include "core/fieldFile/FieldFile.H"
 
 namespace shizuku
 {
@@ -19,6 +18,14 @@ std::vector<Vector3> readLiquidPositions(const std::filesystem::path& timePath, 
     const FieldData positions = readField(file, FieldType::vector, dimensions::length);
     if (spacing) refuseOtherSpacing(file, positions.spacing, *spacing);
     return toVectors(positions, positions.elements());
+}
+
+std::vector<Vector3> readLiquidPositions(const std::filesystem::path& timePath, const ChooseElements& choose)
+{
+    const FieldData positions = readField(timePath/"liquid/positions", choose, FieldType::vector, dimensions::length);
+    if (!positions.uniform) return toVectors(positions, positions.elements());
+    const ElementRange range = choose(1);
+    return toVectors(positions, range.end - range.first);
 }
 
 std::filesystem::path liquidSurfaceFile(const std::filesystem::path& timePath, const std::string& format)

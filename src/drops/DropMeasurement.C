@@ -97,22 +97,37 @@ std::vector<DropRecord> DropMeasurement::measure
     const TriangleMesh& surface, const std::vector<Vector3>& particles, double time
 )
 {
-    constexpr double smallest = 20;         // particles
-    const std::vector<Drop> drops = separateDrops(surface, smallest*spacing_*spacing_*spacing_);
-    std::vector<Vector3> centroids;
-    for (const Drop& drop : drops) centroids.push_back(drop.surface.centroid());
-    const std::vector<int> numbers = numbers_.assign(centroids);
+    std::vector<DropRecord> records = measureUnnumbered(surface, particles, time);
+    number(records);
+    return records;
+}
 
+std::vector<DropRecord> DropMeasurement::measureUnnumbered
+(
+    const TriangleMesh& surface, const std::vector<Vector3>& particles, double time
+) const
+{
+    constexpr double smallest = 20;         // particles
     std::vector<DropRecord> records;
-    for (std::size_t i = 0; i < drops.size(); ++i)
+    for (const Drop& drop : separateDrops(surface, smallest*spacing_*spacing_*spacing_))
     {
-        records.push_back(measureDrop(drops[i], centroids[i], particles, time));
-        DropRecord& record = records.back();
+        records.push_back(measureDrop(drop, drop.surface.centroid(), particles, time));
+    }
+    return records;
+}
+
+void DropMeasurement::number(std::vector<DropRecord>& records)
+{
+    std::vector<Vector3> centroids;
+    for (const DropRecord& record : records) centroids.push_back(record.centroid);
+    const std::vector<int> numbers = numbers_.assign(centroids);
+    for (std::size_t i = 0; i < records.size(); ++i)
+    {
+        DropRecord& record = records[i];
         record.drop = numbers[i];
         record.firstDrift = record.volume/firstVolumes_.try_emplace(record.drop, record.volume).first->second - 1;
     }
     std::sort(records.begin(), records.end(), [](const auto& a, const auto& b) { return a.drop < b.drop; });
-    return records;
 }
 
 KeptNumbers DropMeasurement::state() const

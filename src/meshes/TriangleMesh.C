@@ -7,18 +7,18 @@ namespace shizuku
 namespace
 {
 
-// Sums over the tetrahedra between each face and one common point. That point is a vertex of the mesh,
-// so that a small mesh far from the origin loses no digits.
-template<class Sum> void overTetrahedra(const TriangleMesh& mesh, Sum sum)
+// Sums over the tetrahedra between each face and one common point.
+template<class Sum> void overTetrahedra(const TriangleMesh& mesh, const Vector3& apex, Sum sum)
 {
-    if (mesh.vertices.empty()) return;
-    const Vector3 apex = mesh.vertices.front();
     for (const auto& [i, j, k] : mesh.faces)
     {
         const Vector3 a = mesh.vertices[i] - apex, b = mesh.vertices[j] - apex, c = mesh.vertices[k] - apex;
         sum(dot(a, cross(b, c))/6, (a + b + c)/4);
     }
 }
+
+// A vertex of the mesh, so that a small mesh far from the origin loses no digits.
+Vector3 apexOf(const TriangleMesh& mesh) { return mesh.vertices.empty() ? Vector3() : mesh.vertices.front(); }
 
 }
 
@@ -44,10 +44,12 @@ std::vector<double> TriangleMesh::vertexAreas() const
     return areas;
 }
 
-double TriangleMesh::volume() const
+double TriangleMesh::volume() const { return volumeFrom(apexOf(*this)); }
+
+double TriangleMesh::volumeFrom(const Vector3& apex) const
 {
     double total = 0;
-    overTetrahedra(*this, [&](double volume, const Vector3&) { total += volume; });
+    overTetrahedra(*this, apex, [&](double volume, const Vector3&) { total += volume; });
     return total;
 }
 
@@ -55,7 +57,7 @@ Vector3 TriangleMesh::centroid() const
 {
     double total = 0;
     Vector3 moment;
-    overTetrahedra(*this, [&](double volume, const Vector3& centre)
+    overTetrahedra(*this, apexOf(*this), [&](double volume, const Vector3& centre)
     {
         total += volume;
         moment += volume*centre;

@@ -2,12 +2,26 @@
 #include "neighbours/RowCut.H"
 
 #include "core/messages/Error.H"
+#include "parallel/AllParts.H"
 
 #include <cstdlib>
 #include <string>
 
 namespace shizuku
 {
+
+ParticlesOfRows addUp(const ParticlesOfRows& own, const Communicator& parts)
+{
+    struct Row
+    {
+        std::int64_t row, particles;
+    };
+    std::vector<Row> list;
+    for (const auto& [row, particles] : own) list.push_back({row, particles});
+    ParticlesOfRows all;
+    for (const Row& each : gatherLists(parts, list)) all[int(each.row)] += each.particles;
+    return all;
+}
 
 RowCut cutEvenly(const ParticlesOfRows& rows, int parts, bool acrossZ)
 {

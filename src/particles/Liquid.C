@@ -110,8 +110,7 @@ void Liquid::read(const std::filesystem::path& timeFolder)
         throw FatalInputError({folder.string(), 0}, "There is no liquid: " + reason, expected);
     };
     if (!std::filesystem::exists(folder / "positions")) refuse("the file positions is missing");
-    readParticles(*this, units_, folder);
-    if (owned() == 0) refuse("the list of positions is empty");
+    if (readParticles(*this, units_, folder) == 0) refuse("the list of positions is empty");
 }
 
 }

@@ -7,6 +7,7 @@
 #include "core/fieldFile/FoamFileHeader.H"
 #include "core/messages/Error.H"
 #include "device/ForEach.H"
+#include "parallel/AllParts.H"
 
 #include <algorithm>
 #include <cmath>
@@ -57,16 +58,16 @@ scalar scaled(const double* si, double unit, scalar) { return scalar(*si / unit)
 std::uint32_t scaled(const double* label, double, std::uint32_t) { return std::uint32_t(*label); }
 
 template<class T>
-void upload(Buffer<T>& values, const FieldReader& reader, const std::filesystem::path& file, int n, double unit)
+void upload(Buffer<T>& values, const FieldReader& reader, const std::filesystem::path& file, const ElementRange& share, double unit)
 {
     const int components = componentsOf(reader.type());
     std::vector<T> host;
-    reader.read(n, [&](std::size_t first, std::span<const double> portion)
+    reader.read(share, [&](std::size_t first, std::span<const double> portion)
     {
         if (reader.type() != FieldType::label) refuseLarge(file, first, portion, components, unit, mostOf(T{}));
         host.resize(portion.size() / components);
         for (std::size_t i = 0; i < host.size(); ++i) host[i] = scaled(&portion[i * components], unit, T{});
-        values.upload(host, int(first));
+        values.upload(host, int(first - share.first));
     });
 }
 
@@ -94,14 +95,15 @@ void writeNumbers(const std::map<std::string, double>& numbers, const std::files
 
 struct Number
 {
+    std::uint32_t first;
     Span<std::uint32_t> number;
 
-    HOST_DEVICE void operator()(int i) const { number[i] = std::uint32_t(i); }
+    HOST_DEVICE void operator()(int i) const { number[i] = first + std::uint32_t(i); }
 };
 
 }
 
-void readParticles(ParticleSet& particles, const Units& units, const std::filesystem::path& folder)
+std::size_t readParticles(ParticleSet& particles, const Units& units, const std::filesystem::path& folder)
 {
     const std::filesystem::path positionFile = folder / "positions";
     const FieldReader positions(positionFile, FieldType::vector, dimensions::length);
@@ -123,8 +125,10 @@ void readParticles(ParticleSet& particles, const Units& units, const std::filesy
     {
         refuse("There are " + std::to_string(positions.elements()) + " particles", std::to_string(most) + " at most");
     }
-    const int n = int(positions.elements());
-    particles.resize(n);
+    const std::size_t n = positions.elements();
+    const auto [first, end] = shareOf(particles.parts(), n);
+    const ElementRange share{first, end};
+    particles.resize(int(end - first));
     for (const auto& entry : particles.fields().entries())
     {
         const FieldInfo& info = entry->info;
@@ -132,18 +136,19 @@ void readParticles(ParticleSet& particles, const Units& units, const std::filesy
         const auto file = folder / info.name;
         if (info.name == "id" && !std::filesystem::exists(file))
         {
-            forEach(n, Number{std::get<Buffer<std::uint32_t>>(entry->values).span()});
+            forEach(particles.owned(), Number{std::uint32_t(first), std::get<Buffer<std::uint32_t>>(entry->values).span()});
             continue;
         }
         if (!info.begins && !std::filesystem::exists(file)) continue;
         const auto read = [&](const FieldReader& reader)
         {
-            std::visit([&](auto& values) { upload(values, reader, file, n, units.of(info.dimensions)); }, entry->values);
+            std::visit([&](auto& values) { upload(values, reader, file, share, units.of(info.dimensions)); }, entry->values);
         };
         if (info.name == "positions") read(positions);
-        else read(FieldReader(file, typeOf(entry->values), info.dimensions, n));
+        else read(FieldReader(file, typeOf(entry->values), info.dimensions, long(n)));
     }
     readNumbers(particles, numbersFile(folder.parent_path(), particles.name()));
+    return n;
 }
 
 namespace

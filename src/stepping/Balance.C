@@ -3,9 +3,11 @@
 
 #include "core/messages/Error.H"
 #include "device/ForEach.H"
+#include "motion/Motion.H"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <cmath>
 #include <iostream>
 
 namespace shizuku
@@ -39,26 +41,6 @@ ParticlesOfRows countRows(const std::vector<std::uint32_t>& rows)
     return counts;
 }
 
-// Those of all parts.
-ParticlesOfRows addUp(const ParticlesOfRows& own, const Communicator& parts)
-{
-    struct Row
-    {
-        std::int64_t row, particles;
-    };
-    std::vector<Row> list;
-    for (const auto& [row, particles] : own) list.push_back({row, particles});
-    const auto* const first = reinterpret_cast<const std::byte*>(list.data());
-    ParticlesOfRows all;
-    for (const Bytes& bytes : parts.exchange(std::vector<Bytes>(parts.parts(), Bytes(first, first + list.size() * sizeof(Row)))))
-    {
-        list.resize(bytes.size() / sizeof(Row));
-        if (!bytes.empty()) std::memcpy(list.data(), bytes.data(), bytes.size());
-        for (const Row& each : list) all[int(each.row)] += each.particles;
-    }
-    return all;
-}
-
 // The largest part over the average.
 double imbalance(std::vector<std::int64_t> particles)
 {
@@ -74,8 +56,42 @@ double imbalance(const ParticlesOfRows& rows, const RowCut& cut)
     return imbalance(particles);
 }
 
+// Words of OpenFOAM are told apart from others: they have a reason.
+std::string readMethod(const Dictionary& dict)
+{
+    const std::vector<std::string> known{"rows", "simple"}, ofOpenFoam{"hierarchical", "kahip", "manual", "metis", "multiLevel", "none", "scotch", "structured"};
+    const std::string method = dict.lookupOr<std::string>("method", "rows");
+    if (std::find(ofOpenFoam.begin(), ofOpenFoam.end(), method) == ofOpenFoam.end()) return dict.lookupChoiceOr("method", known, "rows");
+    throw FatalInputError
+    (
+        dict.where("method"), "The method '" + method + "' cuts a mesh; liquid moves, and is cut between rows of cells alone", "", known, method
+    );
+}
+
 const char* directionOf(const RowCut& cut) { return cut.acrossZ ? "z" : "y"; }
 
+}
+
+// As OpenFOAM has it: so many parts along each axis.
+void BalanceControls::readSimple(const Dictionary& dict)
+{
+    const Dictionary coeffs = dict.subDict("simpleCoeffs");
+    const auto n = coeffs.lookup<std::array<double, 3>>("n");
+    const bool whole = std::all_of(n.begin(), n.end(), [](double parts) { return parts >= 1 && parts <= RowCut::mostParts && parts == std::floor(parts); });
+    if (!whole || n[0] > 1 || (n[1] > 1 && n[2] > 1))
+    {
+        throw FatalInputError
+        (
+            coeffs.where("n"), "The liquid cannot be cut so: rows of cells along x stay whole, and cuts lie across one direction", "(1 N 1) or (1 1 N), N parts"
+        );
+    }
+    const long all = std::lround(n[1] * n[2]);
+    if (parts && *parts != all)
+    {
+        throw FatalInputError(coeffs.where("n"), "These are " + std::to_string(all) + " parts, and numberOfSubdomains is " + std::to_string(*parts), "as many");
+    }
+    parts = all;
+    if (all > 1) acrossZ = n[2] > 1;
 }
 
 BalanceControls BalanceControls::read(const std::filesystem::path& casePath)
@@ -84,8 +100,13 @@ BalanceControls BalanceControls::read(const std::filesystem::path& casePath)
     const auto file = casePath / "system/decomposeParDict";
     if (!std::filesystem::exists(file)) return controls;
     const Dictionary dict = Dictionary::read(file);
-    dict.lookupChoiceOr("method", {"rows"}, "rows");
+    if (dict.found("numberOfSubdomains")) controls.parts = dict.lookup<long>("numberOfSubdomains");
+    if (readMethod(dict) == "simple") controls.readSimple(dict);
     const std::string direction = dict.lookupChoiceOr("direction", {"y", "z", "auto"}, "auto");
+    if (direction != "auto" && controls.acrossZ.value_or(direction == "z") != (direction == "z"))
+    {
+        throw FatalInputError(dict.where("direction"), "The direction is " + direction + ", and simpleCoeffs cut across the other one", "one of the two");
+    }
     if (direction != "auto") controls.acrossZ = direction == "z";
     controls.rebalanceAbove = dict.lookupOr("rebalanceAbove", controls.rebalanceAbove);
     if (!(controls.rebalanceAbove >= 0))
@@ -97,8 +118,9 @@ BalanceControls BalanceControls::read(const std::filesystem::path& casePath)
     return controls;
 }
 
-void Balance::begin(Liquid& liquid, Neighbourhood& near, const Communicator& parts)
+void Balance::begin(Liquid& liquid, Neighbourhood& near)
 {
+    const Communicator& parts = liquid.parts();
     if (parts.parts() > RowCut::mostParts)
     {
         throw FatalInputError
@@ -107,30 +129,27 @@ void Balance::begin(Liquid& liquid, Neighbourhood& near, const Communicator& par
             std::to_string(RowCut::mostParts) + " at most: mpirun -np " + std::to_string(RowCut::mostParts)
         );
     }
-    const bool acrossZ = controls_.acrossZ.value_or
-    (
-        countRows(rowsOf(liquid, near, {1, true})).size() > countRows(rowsOf(liquid, near, {1, false})).size()
-    );
-    cut_.acrossZ = acrossZ;
-    const std::vector<std::uint32_t> rows = rowsOf(liquid, near, cut_);
-    const ParticlesOfRows counts = countRows(rows);
-    cut_ = cutEvenly(counts, parts.parts(), acrossZ);
-    if (counts.size() < std::size_t(parts.parts()))
+    if (controls_.parts && *controls_.parts != parts.parts())
     {
-        warning("There are " + std::to_string(parts.parts()) + " parts and " + std::to_string(counts.size()) + " rows of cells with liquid: some parts have none");
+        throw FatalInputError
+        (
+            {}, "system/decomposeParDict has " + std::to_string(*controls_.parts) + " parts, and there are " + std::to_string(parts.parts()) + " processes",
+            "mpirun -np " + std::to_string(*controls_.parts) + ", or no number of parts there"
+        );
     }
-
-    std::vector<std::uint32_t> own;
-    for (std::size_t i = 0; i < rows.size(); ++i)
+    const auto counts = [&](bool acrossZ) { return addUp(countRows(rowsOf(liquid, near, {1, acrossZ})), parts); };
+    const bool acrossZ = controls_.acrossZ ? *controls_.acrossZ : counts(true).size() > counts(false).size();
+    const ParticlesOfRows rows = counts(acrossZ);
+    cut_ = cutEvenly(rows, parts.parts(), acrossZ);
+    if (rows.size() < std::size_t(parts.parts()))
     {
-        if (cut_.partOf(int(rows[i])) == parts.part()) own.push_back(std::uint32_t(i));
+        warning("There are " + std::to_string(parts.parts()) + " parts and " + std::to_string(rows.size()) + " rows of cells with liquid: some parts have none");
     }
-    liquid.fields().reorder(Buffer<std::uint32_t>(own));
-    liquid.resize(int(own.size()));
-    liquid.ghosts().join(parts);
     near.cut(cut_);
+    predictPositions(liquid, 0);
+    near.search(liquid, 0);
     const std::string link = liquid.ghosts().linkName();
-    std::cout << "Parts  : " << parts.parts() << ", cut across " << directionOf(cut_) << ", the largest " << imbalance(counts, cut_) << " of the average"
+    std::cout << "Parts  : " << parts.parts() << ", cut across " << directionOf(cut_) << ", the largest " << imbalance(rows, cut_) << " of the average"
               << (link.empty() ? "" : ", linked by " + link) << std::endl;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stepping/CaseSetup.H"
 
+#include "parallel/AllParts.H"
+
 namespace shizuku
 {
 
@@ -81,7 +83,7 @@ void CaseSetup::refuseOverlap(const Time& time) const
 
 void CaseSetup::refuseLiquidInside(const Time& time) const
 {
-    if (time.index() == 0) walls->refuseLiquidInside(*liquid);
+    if (time.index() == 0) inAllParts(liquid->parts(), [&] { walls->refuseLiquidInside(*liquid); });
 }
 
 StartLimits CaseSetup::limits(const Time& time) const

@@ -7,7 +7,9 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 
 namespace shizuku
 {
@@ -21,6 +23,17 @@ double secondsOf(const std::function<void()>& work)
     work();
     synchronize();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// A line a part.
+std::string ofParts(const std::vector<std::size_t>& bytes, const std::vector<int>& particles)
+{
+    std::ostringstream text;
+    for (std::size_t part = 0; part < bytes.size(); ++part)
+    {
+        text << "    part " << std::left << std::setw(12) << part << ": " << particles[part] << " particles, " << bytes[part] / 1048576.0 << " MiB\n";
+    }
+    return text.str();
 }
 
 }
@@ -69,6 +82,7 @@ void reportDryRun
         << "\nDry run, nothing is written\n"
         << "memory on the device : " << megabytes << " MiB of " << device.memoryBytes / 1048576.0 << " MiB ("
         << bytes[most] / std::max(1, particles[most]) << " bytes a liquid particle)" << (bytes.size() > 1 ? ", of the part that needs most\n" : "\n")
+        << (bytes.size() > 1 ? ofParts(bytes, particles) : "")
         << "steps                : " << forecast.subSteps << " of " << forecast.subStep.dt << " s, limited by "
         << forecast.subStep.limit << '\n'
         << "time a step          : " << 1e3 * forecast.secondsPerSubStep << " ms, measured on the first steps\n"

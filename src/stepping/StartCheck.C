@@ -3,7 +3,6 @@
 
 #include "device/Gather.H"
 #include "device/Reduce.H"
-#include "meshes/Vector3.H"
 #include "motion/Motion.H"
 #include "stepping/PressureIterations.H"
 
@@ -23,12 +22,14 @@ struct CrowdingSums
 {
     double density = 0, compression2 = 0;
     scalar most = 0, nearest2 = 1e30f;
-    int crowded = 0, densest = 0;
+    int particles = 0, crowded = 0;
+    Position densest{};
 
     HOST_DEVICE void add(const CrowdingSums& other)
     {
         density += other.density;
         compression2 += other.compression2;
+        particles += other.particles;
         crowded += other.crowded;
         nearest2 = fmin(nearest2, other.nearest2);
         if (other.most <= most) return;
@@ -37,7 +38,7 @@ struct CrowdingSums
     }
 };
 
-// Of particles in the order of their cells.
+// Of owned particles, among all in the order of their cells.
 template<class Kernel>
 struct CrowdingOf
 {
@@ -45,9 +46,12 @@ struct CrowdingOf
     scalar volume;                      // V/S
     CellGridView grid;
     Span<const Position> x;
+    Span<const std::uint32_t> order;
+    int owned;
 
     HOST_DEVICE CrowdingSums operator()(int i) const
     {
+        if (int(order[i]) >= owned) return {};
         const Position xi = x[i];
         scalar sum = 0, nearest2 = 1e30f;
         grid.forEachCandidate(AroundPoint{xi, W.h}, [&](int j)
@@ -58,7 +62,7 @@ struct CrowdingOf
             if (j != i) nearest2 = fmin(nearest2, r2);
         });
         const scalar density = volume * sum, above = fmax(density - 1, 0);
-        return {density, above * above, density, nearest2, density > crowdedDensity ? 1 : 0, i};
+        return {density, above * above, density, nearest2, 1, density > crowdedDensity ? 1 : 0, xi};
     }
 };
 
@@ -80,40 +84,43 @@ struct Stir
 
 }
 
-Crowding measureCrowding(const Liquid& liquid)
+Crowding measureCrowding(Liquid& liquid)
 {
+    liquid.ghosts().copy(liquid.position);
     CellGrid grid(liquid.support());
-    const Buffer<std::uint32_t>& order = grid.build(liquid.position.span(), liquid.owned());
+    const Buffer<std::uint32_t>& order = grid.build(liquid.position.span(), liquid.all());
     Buffer<Position> sorted;
     gather(liquid.position, order, sorted);
     Buffer<CrowdingSums> scratch;
-    const CrowdingSums sums = std::visit
+    const CrowdingSums sums = liquid.parts().fold(std::visit
     (
         [&]<class Kernel>(const Kernel& W)
         {
             const scalar volume = liquid.particleVolume() / liquid.latticeSum();
-            return reduce(liquid.owned(), CrowdingOf<Kernel>{W, volume, grid.view(), sorted.span()}, scratch);
+            return reduce(liquid.all(), CrowdingOf<Kernel>{W, volume, grid.view(), sorted.span(), order.span(), liquid.owned()}, scratch);
         },
         liquid.kernel()
-    );
+    ));
+    const Place at = placeOf(sums.densest);
     return
     {
-        sums.density / liquid.owned(), sums.most, std::sqrt(double(sums.nearest2)) / liquid.spacing(), sums.crowded,
-        int(order.download()[sums.densest]), liquid.owned(), std::sqrt(sums.compression2 / liquid.owned())
+        sums.density / sums.particles, sums.most, std::sqrt(double(sums.nearest2)) / liquid.spacing(), sums.crowded,
+        liquid.units().length * Vector3(quanta::lengthOf(at.x), quanta::lengthOf(at.y), quanta::lengthOf(at.z)), sums.particles,
+        std::sqrt(sums.compression2 / sums.particles)
     };
 }
 
-void refuseOverlap(const Liquid& liquid, const std::filesystem::path& folder, const StartLimits& limits)
+void refuseOverlap(Liquid& liquid, const std::filesystem::path& folder, const StartLimits& limits)
 {
     const Crowding crowding = measureCrowding(liquid);
     if (!crowding.overlaps(limits)) return;
 
     const double spacing = liquid.properties().spacing;
     std::ostringstream found, expected;
-    found << "The liquid starts overlapping itself: " << crowding.crowded << " of its " << liquid.owned()
+    found << "The liquid starts overlapping itself: " << crowding.crowded << " of its " << crowding.particles
           << " particles are more than a tenth denser than at rest, the mean density is " << crowding.mean
           << " rest densities, the largest one " << crowding.most << ", at "
-          << str(liquid.positions()[crowding.densest]) << " m, the compression (root mean square) "
+          << str(crowding.densest) << " m, the compression (root mean square) "
           << crowding.compression << ", and the smallest distance " << std::round(1e5 * crowding.nearest) / 1e5 << " spacings";
     expected << "liquid at rest density, a mean below " << Crowding::mostMean << " and nowhere " << Crowding::mostOfOne
              << ", of particles one spacing apart";
@@ -136,7 +143,16 @@ bool relaxesOverlap(const Dictionary& solution)
 
 int relaxOverlap(Liquid& liquid, Neighbourhood& near, Walls& walls, const StartLimits& limits)
 {
-    if (!measureCrowding(liquid).overlaps(limits)) return 0;
+    const auto overlaps = [&]
+    {
+        if (liquid.parts().parts() > 1)             // whoever is near by now is seen
+        {
+            predictPositions(liquid, 0);
+            near.search(liquid, 0);
+        }
+        return measureCrowding(liquid).overlaps(limits);
+    };
+    if (!overlaps()) return 0;
 
     constexpr int mostRounds = 200;
     FreeSurface unused;
@@ -153,7 +169,7 @@ int relaxOverlap(Liquid& liquid, Neighbourhood& near, Walls& walls, const StartL
         walls.update(liquid);
         iterate(liquid, near, walls, *pressure, 1, [] { return false; });
         takePredicted(liquid);
-        if (pressure->iterations() <= 1 && !measureCrowding(liquid).overlaps(limits)) return round;
+        if (pressure->iterations() <= 1 && !overlaps()) return round;
     }
     throw FatalInputError
     (

@@ -40,6 +40,7 @@ struct CollectKeys
 
     BlockMapView map;
     std::int64_t reach, most;                   // most: a coordinate that is too far
+    BlockLayers layers;
     Span<const Position> positions;
     Span<std::uint64_t> table;                  // 2^bits places
     int bits;
@@ -58,7 +59,8 @@ struct CollectKeys
         }
         const int lowX = int(map.blockAt(p.x - reach)), alongX = int(map.blockAt(p.x + reach)) - lowX + 1;
         const int lowY = int(map.blockAt(p.y - reach)), alongY = int(map.blockAt(p.y + reach)) - lowY + 1;
-        const int lowZ = int(map.blockAt(p.z - reach)), alongZ = int(map.blockAt(p.z + reach)) - lowZ + 1;
+        const int lowestZ = int(map.blockAt(p.z - reach)), highestZ = int(map.blockAt(p.z + reach));
+        const int lowZ = lowestZ > layers.low ? lowestZ : layers.low, alongZ = (highestZ < layers.high ? highestZ : layers.high) - lowZ + 1;
         for (int k = team.lane; k < alongX * alongY * alongZ; k += team.width)
         {
             add(BlockMapView::key(lowX + k % alongX, lowY + k / alongX % alongY, lowZ + k / (alongX * alongY)));
@@ -120,8 +122,9 @@ void BlockMap::refuseFarParticles(Span<const Position> positions)
     );
 }
 
-void BlockMap::collect(Span<const Position> positions)
+void BlockMap::collect(Span<const Position> positions, const BlockLayers& layers)
 {
+    layers_ = layers;
     // Full blocks of cells of half a spacing hold 64 particles, and half of the places shall stay free.
     while (1 << bits_ < positions.size / 8) ++bits_;
     collectKeys(positions);
@@ -136,7 +139,7 @@ void BlockMap::collectKeys(Span<const Position> positions)
     forEachTeam
     (
         positions.size,
-        CollectKeys{view(), reach_, farthest_, positions, table_.span(), bits_, keys_.span(), counts_.span()}
+        CollectKeys{view(), reach_, farthest_, layers_, positions, table_.span(), bits_, keys_.span(), counts_.span()}
     );
     readCounts_.ask(counts_);
 }
@@ -165,6 +168,15 @@ void BlockMap::store(Span<const Position> positions)
     sort(keys_);
     next_.resizeDiscarding(8 * stored);
     forEach(8 * stored, FindNext{view(), next_.span()});
+}
+
+BlockMap::Layer BlockMap::layer(int z) const
+{
+    const std::vector<std::uint64_t> keys = keys_.download();
+    constexpr int lowest = -BlockMapView::farthest;
+    const auto first = std::lower_bound(keys.begin(), keys.end(), BlockMapView::key(lowest, lowest, z));
+    const auto end = std::lower_bound(first, keys.end(), BlockMapView::key(lowest, lowest, z + 1));
+    return {int(first - keys.begin()), std::vector<std::uint64_t>(first, end)};
 }
 
 }

@@ -6,10 +6,13 @@
 #include "device/Gather.H"
 #include "device/Reduce.H"
 #include "maths/Lattice.H"
+#include "parallel/AllParts.H"
 #include "surface/NodeRows.H"
 #include "surface/NodeValues.H"
 #include "surface/PlaceVertices.H"
 #include "surface/WeighParticles.H"
+
+#include <algorithm>
 
 namespace shizuku
 {
@@ -43,6 +46,7 @@ struct CountCrossings
     Span<const MarchingCubesTable> table;
     Span<std::uint32_t> crossed;
     Span<std::uint64_t> counts;
+    int own;                                // rows; those behind have vertices along x and y alone, and no triangles
 
     HOST_DEVICE void operator()(int row) const
     {
@@ -50,13 +54,56 @@ struct CountCrossings
         std::uint32_t edges = 0, triangles = 0;
         if (!cells.uncut())
         {
-            edges = cells.crossed();
-            for (int x = 0; x < BlockMapView::edge; ++x) triangles += table[0].triangles[cells.corners(x)];
+            edges = row < own ? cells.crossed() : cells.crossed() & RowView::alongXAndY;
+            for (int x = 0; row < own && x < BlockMapView::edge; ++x) triangles += table[0].triangles[cells.corners(x)];
         }
         crossed[row] = edges;
         counts[row] = RowCounts::pack(std::uint32_t(std::popcount(edges)), triangles);
     }
 };
+
+// What a part tells the one below of a block of its lowest layer: which of the lowest nodes are inside, by rows; and their vertices.
+struct InsideOfBlock
+{
+    std::uint64_t key = 0;
+    std::uint8_t inside[BlockMapView::edge] = {};
+
+    InsideOfBlock() = default;
+    InsideOfBlock(std::uint64_t of, const std::uint8_t* rows) : key(of) { std::copy_n(rows, BlockMapView::edge, inside); }
+};
+
+struct VerticesOfBlock
+{
+    std::uint64_t key = 0;
+    std::uint32_t first[BlockMapView::edge] = {}, crossed[BlockMapView::edge] = {};
+
+    VerticesOfBlock() = default;
+    VerticesOfBlock(std::uint64_t of, const std::uint64_t* counts, const std::uint32_t* edges) : key(of)
+    {
+        std::transform(counts, counts + BlockMapView::edge, first, RowCounts::vertices);
+        std::copy_n(edges, BlockMapView::edge, crossed);
+    }
+
+    // Of those along x and y.
+    void addNumbers(int row, std::vector<std::int64_t>& numbers) const
+    {
+        std::int64_t number = first[row];
+        for (int edge = 0; edge < RowView::edges; ++edge)
+        {
+            if ((crossed[row] >> edge & 1) == 0) continue;
+            if (RowView::alongXAndY >> edge & 1) numbers.push_back(number);
+            ++number;
+        }
+    }
+};
+
+// By keys that ascend.
+template<class T>
+auto ofBlock(const std::vector<T>& blocks, std::uint64_t key)
+{
+    const auto found = std::lower_bound(blocks.begin(), blocks.end(), key, [](const T& block, std::uint64_t other) { return block.key < other; });
+    return found != blocks.end() && found->key == key ? found : blocks.end();
+}
 
 struct ListEdges
 {
@@ -156,19 +203,36 @@ LiquidSurface::LiquidSurface(const SurfaceParameters& parameters)
 
 void LiquidSurface::build(Span<const Position> positions)
 {
+    const Alone alone;
+    build(positions, {alone, {}});
+}
+
+void LiquidSurface::build(Span<const Position> positions, const SurfaceCut& cut)
+{
+    const bool isCut = cut.parts.parts() > 1;
     vertices_.resizeDiscarding(0);
     normals_.resizeDiscarding(0);
     triangles_.resizeDiscarding(0);
     particles_.resizeDiscarding(0);
-    if (positions.size == 0) return;
+    numbers_ = {};
+    if (positions.size == 0 && !isCut) return;
 
-    blocks_.collect(positions);
+    blocks_.collect(positions, cut.own());
     gather(positions, grid_.build(positions, positions.size), particles_);
     weighParticles();
     blocks_.store(positions);
     evaluateNodes();
-    countCrossings();
+    if (isCut) takeInsideOfLayerAbove(cut);
+    countCrossings(isCut ? RowView::rows * blocks_.layer(cut.own().high).before : inside_.size());
+    if (isCut) numberVertices(cut);
+    else numbers_ = {vertices_.size(), 0, {}};
     placeVertices();
+}
+
+std::pair<SurfaceCut, std::vector<Position>> LiquidSurface::particlesOfLayers(const std::vector<Position>& share, const Communicator& parts) const
+{
+    const SurfaceCut cut = cutSurface(share, blocks_.view(), parts);
+    return {cut, bringToLayers(share, cut, blocks_.view(), halo())};
 }
 
 SurfaceMesh LiquidSurface::download() const
@@ -207,14 +271,67 @@ void LiquidSurface::evaluateNodes()
     forEachTeam(inside_.size(), EvaluateRow{phi, blocks_.view(), refines_, value_.span(), inside_.span()});
 }
 
-void LiquidSurface::countCrossings()
+// Which nodes are inside of the liquid is for one part to say: where phi is as good as the level, roundings may differ from part to part.
+void LiquidSurface::takeInsideOfLayerAbove(const SurfaceCut& cut)
+{
+    const BlockMap::Layer lowest = blocks_.layer(cut.own().low), above = blocks_.layer(cut.own().high);
+    std::vector<Bytes> to(cut.parts.parts());
+    if (const auto below = cut.below())
+    {
+        std::vector<std::uint8_t> inside(lowest.keys.size() * RowView::rows);
+        inside_.download(inside.data(), int(inside.size()));
+        std::vector<InsideOfBlock> own;
+        for (std::size_t k = 0; k < lowest.keys.size(); ++k) own.emplace_back(lowest.keys[k], &inside[k * RowView::rows]);
+        to[*below] = bytesOf(own);
+    }
+    const std::vector<Bytes> from = cut.parts.exchange(std::move(to));
+    std::vector<InsideOfBlock> theirs;
+    if (const auto next = cut.above()) appendTo(theirs, from[*next]);
+    std::vector<std::uint8_t> inside(above.keys.size() * RowView::rows, 0);
+    for (std::size_t k = 0; k < above.keys.size(); ++k)
+    {
+        const auto found = ofBlock(theirs, above.keys[k]);
+        if (found != theirs.end()) std::copy_n(found->inside, BlockMapView::edge, &inside[k * RowView::rows]);
+    }
+    inside_.upload(inside, above.before * RowView::rows);
+}
+
+// Those of the layer above are the next part's, along the edges that it has there as well.
+void LiquidSurface::numberVertices(const SurfaceCut& cut)
+{
+    const BlockMap::Layer lowest = blocks_.layer(cut.own().low), above = blocks_.layer(cut.own().high);
+    const int rows = int(lowest.keys.size()) * RowView::rows;
+    std::vector<std::uint64_t> first(rows);
+    std::vector<std::uint32_t> crossed(rows);
+    first_.download(first.data(), rows);
+    crossed_.download(crossed.data(), rows);
+    std::vector<VerticesOfBlock> own;
+    for (std::size_t k = 0; k < lowest.keys.size(); ++k) own.emplace_back(lowest.keys[k], &first[k * RowView::rows], &crossed[k * RowView::rows]);
+    std::vector<Bytes> to(cut.parts.parts());
+    if (const auto below = cut.below()) to[*below] = bytesOf(own);
+    const std::vector<Bytes> from = cut.parts.exchange(std::move(to));
+    std::vector<VerticesOfBlock> theirs;
+    if (const auto next = cut.above()) appendTo(theirs, from[*next]);
+
+    for (const std::uint64_t key : above.keys)
+    {
+        const auto found = ofBlock(theirs, key);
+        for (int row = 0; found != theirs.end() && row < BlockMapView::edge; ++row) found->addNumbers(row, numbers_.others);
+    }
+    numbers_.own = vertices_.size() - int(numbers_.others.size());
+    const std::vector<std::int64_t> counts = cut.parts.gather(std::int64_t(numbers_.own));
+    for (int part = 0; part < cut.parts.part(); ++part) numbers_.first += counts[part];
+    for (std::int64_t& number : numbers_.others) number += numbers_.first + numbers_.own;
+}
+
+void LiquidSurface::countCrossings(int ownRows)
 {
     crossed_.resizeDiscarding(inside_.size());
     counts_.resizeDiscarding(inside_.size());
     forEach
     (
         inside_.size(),
-        CountCrossings{{blocks_.view(), inside_.span()}, table_.span(), crossed_.span(), counts_.span()}
+        CountCrossings{{blocks_.view(), inside_.span()}, table_.span(), crossed_.span(), counts_.span(), ownRows}
     );
     const std::uint64_t all = exclusiveScan(counts_, first_);
     if (RowCounts::triangles(all) > 0x7fffffffu / 3)

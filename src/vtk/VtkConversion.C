@@ -3,6 +3,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
@@ -39,6 +40,29 @@ vtkSmartPointer<vtkPolyData> toPolyData(const TriangleMesh& mesh)
         data->GetPointData()->SetNormals(normals);
     }
     return data;
+}
+
+TriangleMesh toTriangleMesh(vtkPolyData& data)
+{
+    TriangleMesh mesh;
+    vtkDataArray* const normals = data.GetPointData()->GetNormals();
+    for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i)
+    {
+        double x[3];
+        data.GetPoint(i, x);
+        mesh.vertices.emplace_back(x[0], x[1], x[2]);
+        if (!normals) continue;
+        normals->GetTuple(i, x);
+        mesh.normals.emplace_back(x[0], x[1], x[2]);
+    }
+    vtkNew<vtkIdList> corners;
+    vtkCellArray& polygons = *data.GetPolys();
+    for (polygons.InitTraversal(); polygons.GetNextCell(corners);)
+    {
+        if (corners->GetNumberOfIds() != 3) continue;
+        mesh.faces.push_back({int(corners->GetId(0)), int(corners->GetId(1)), int(corners->GetId(2))});
+    }
+    return mesh;
 }
 
 }

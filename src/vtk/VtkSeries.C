@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <regex>
 
 namespace shizuku
@@ -22,6 +23,11 @@ bool names(const std::vector<TimeSeriesEntry>& entries, const std::string& file)
     return std::any_of(entries.begin(), entries.end(), [&](const TimeSeriesEntry& entry) { return entry.file == file; });
 }
 
+bool isOfKind(const TimeSeriesEntry& entry, const std::string& ending)
+{
+    return std::filesystem::path(entry.file).extension() == ending;
+}
+
 // Whether the file holds what it did: it was not written anew, or for the same time. Numbers of files move on where a time
 // was removed or came in between.
 bool holdsTheSame(const std::string& file, const std::vector<TimeSeriesEntry>& earlier, const std::vector<TimeSeriesEntry>& now)
@@ -39,9 +45,15 @@ VtkSeries::VtkSeries(const std::filesystem::path& casePath, std::string name, Vt
 
 void VtkSeries::add(double time, int index, VtpContent content, double spacing)
 {
+    addPiece(time, index, std::move(content), spacing, Alone());
+}
+
+void VtkSeries::addPiece(double time, int index, VtpContent content, double spacing, const Communicator& parts)
+{
     content.values = {{"TimeValue", time}, {"particleSpacing", spacing}};
-    const std::string file = name_ + "/" + name_ + "_" + std::to_string(index) + ".vtp";
-    writeVtp(folder_/file, content, encoding_);
+    const std::string file = fileOf(index, parts.parts() > 1 ? ".pvtp" : ".vtp");
+    if (parts.parts() > 1) writePvtp(folder_/file, content, encoding_, parts);
+    else writeVtp(folder_/file, content, encoding_);
     entries_.push_back({time, file});
 }
 
@@ -53,7 +65,7 @@ void VtkSeries::repeat(double time)
 // Those of this series' own files that are still there.
 std::vector<TimeSeriesEntry> VtkSeries::earlier() const
 {
-    const std::regex own(name_ + "/" + name_ + "_[0-9]+\\.vtp");
+    const std::regex own(name_ + "/" + name_ + "_[0-9]+\\.p?vtp");
     std::vector<TimeSeriesEntry> entries = readPvd(pvdFile());
     std::erase_if(entries, [&](const TimeSeriesEntry& entry)
     {
@@ -73,20 +85,21 @@ void VtkSeries::finish(const std::vector<double>& others) const
     }
     std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
 
-    const std::filesystem::path seriesFile = folder_/(name_ + ".vtp.series");
-    if (entries.empty())
+    for (const std::string ending : {".vtp", ".pvtp"})
     {
-        std::filesystem::remove(pvdFile());
-        std::filesystem::remove(seriesFile);
+        std::vector<TimeSeriesEntry> ofKind;
+        std::copy_if(entries.begin(), entries.end(), std::back_inserter(ofKind), [&](const TimeSeriesEntry& entry) { return isOfKind(entry, ending); });
+        const std::filesystem::path seriesFile = folder_/(name_ + ending + ".series");
+        if (ofKind.empty()) std::filesystem::remove(seriesFile);
+        else writeSeries(seriesFile, ofKind);
     }
-    else
-    {
-        writePvd(pvdFile(), entries);
-        writeSeries(seriesFile, entries);
-    }
+    if (entries.empty()) std::filesystem::remove(pvdFile());
+    else writePvd(pvdFile(), entries);
     for (const TimeSeriesEntry& entry : earlier)
     {
-        if (!names(entries, entry.file)) std::filesystem::remove(folder_/entry.file);
+        if (names(entries, entry.file)) continue;
+        if (isOfKind(entry, ".pvtp")) removePvtp(folder_/entry.file);
+        else std::filesystem::remove(folder_/entry.file);
     }
 }
 

@@ -217,7 +217,7 @@ void Walls::refuseLiquidInside(const Liquid& liquid) const
     {
         throw FatalInputError
         (
-            where, "Liquid particle " + std::to_string(i) + " at " + str(liquid.positions()[i])
+            where, "Liquid particle " + std::to_string(liquid.id.download()[i]) + " at " + str(liquid.positions()[i])
           + " m is inside the solid '" + wall + "', or too near to it", "liquid half a spacing outside of every wall, which is where the normals of a sampled one point to"
         );
     };

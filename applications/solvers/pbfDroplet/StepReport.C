@@ -5,6 +5,7 @@
 #include "caseFiles/SampledWall.H"
 #include "core/arguments/runApplication.H"
 #include "drops/MotionWarnings.H"
+#include "parallel/AllParts.H"
 #include "thetaModels/ThetaField.H"
 
 #include <algorithm>
@@ -38,20 +39,24 @@ struct Signal
     void add(const Signal& other) { number = std::max(number, other.number); }
 };
 
+// Of all parts' particles, in part 0.
+std::vector<Vector3> positionsOf(const Liquid& liquid) { return gatherListsAtFirst(liquid.parts(), liquid.positions()); }
+
 std::vector<Vector3> velocitiesOf(const Liquid& liquid)
 {
     const double unit = liquid.units().of(dimensions::velocity);
     const auto scaled = liquid.velocity.download();
     std::vector<Vector3> velocities;
     for (int i = 0; i < liquid.owned(); ++i) velocities.push_back(unit*Vector3(scaled[i].x, scaled[i].y, scaled[i].z));
-    return velocities;
+    return gatherListsAtFirst(liquid.parts(), velocities);
 }
 
-void warnOfStart(FlowView& flow)
+void warnOfStart(const FlowView& flow, const Liquid& liquid)
 {
-    const std::vector<Vector3>& positions = flow.positions();
+    const std::vector<Vector3> positions = positionsOf(liquid), velocities = velocitiesOf(liquid);
+    if (liquid.parts().part() > 0) return;
     const LiquidProperties& p = flow.properties();
-    const std::vector<SeparateBody> bodies = separateBodies(positions, velocitiesOf(flow.liquid()), p.spacing);
+    const std::vector<SeparateBody> bodies = separateBodies(positions, velocities, p.spacing);
     std::vector<std::string> warnings = resolutionWarnings(bodies, p.spacing);
     if (const std::string text = flatteningWarning(flow); !text.empty()) warnings.push_back(text);
     for (const std::string& text : warnings)
@@ -76,9 +81,9 @@ void warnOfOtherSolid(const Time& time, const Walls& walls)
 
 }
 
-void reportStart(FlowView& flow)
+void reportStart(const FlowView& flow, const Liquid& liquid)
 {
-    if (flow.time.index() == 0) warnOfStart(flow);
+    if (flow.time.index() == 0) warnOfStart(flow, liquid);
     if (flow.walls.particles() > 0) warnOfOtherSolid(flow.time, flow.walls);
     std::cout << "Liquid particles " << flow.particles() << ", solid particles " << flow.walls.particles()
               << ", analytic surfaces " << flow.walls.surfaces() << std::endl;
@@ -86,17 +91,18 @@ void reportStart(FlowView& flow)
     if (const std::string text = slipReport(flow.models.dict, flow.properties().spacing); !text.empty()) std::cout << text << std::endl;
 }
 
-void limitStepsOfBlobs(FlowView& flow, TimeStep& step)
+void limitStepsOfBlobs(const FlowView& flow, const Liquid& liquid, TimeStep& step)
 {
-    constexpr std::size_t small = 20, most = 100000;        // particles: of a body, of liquid that may be all small bodies
+    constexpr std::size_t small = 20;                       // particles, of a body
+    constexpr int most = 100000;                            // of liquid that may be all small bodies
     constexpr double calm = 1.4;                            // maxCapillaryCo
     if (!step.mostCapillaryCo())
     {
-        const std::vector<Vector3>& positions = flow.positions();
-        const std::vector<SeparateBody> bodies = positions.size() > most ? std::vector<SeparateBody>()
+        const std::vector<Vector3> positions = flow.particles() > most ? std::vector<Vector3>() : positionsOf(liquid);
+        const std::vector<SeparateBody> bodies = positions.empty() ? std::vector<SeparateBody>()
             : separateBodies(positions, std::vector<Vector3>(positions.size()), flow.properties().spacing);
         const bool areSmall = !bodies.empty() && bodies.front().particles.size() <= small;
-        step.limitCapillaryCo(areSmall ? calm : TimeStep::unlimited);
+        step.limitCapillaryCo(liquid.parts().any(areSmall) ? calm : TimeStep::unlimited);
     }
     if (*step.mostCapillaryCo() == TimeStep::unlimited) return;
     std::cout << "No body of liquid had more than " << small << " particles: maxCapillaryCo is at most " << *step.mostCapillaryCo()
@@ -156,12 +162,6 @@ void endWhereInterrupted(const Interruption& interruption, const Communicator& p
     parts.any(true);                    // part 0 has written all
     if (parts.part() > 0) std::this_thread::sleep_for(std::chrono::milliseconds(300));       // and says so before mpirun ends it
     throw interruption;
-}
-
-int partsOfHost(const Communicator& parts)
-{
-    const std::vector<int> numbers = parts.gather(parts.partOfHost());
-    return 1 + *std::max_element(numbers.begin(), numbers.end());
 }
 
 void warnOfSharedDevices(const DeviceInfo& device, const Communicator& parts)

@@ -7,6 +7,7 @@
 #include "CaseChanges.H"
 #include "CaseWriter.H"
 #include "Divergence.H"
+#include "FallenLiquid.H"
 #include "ProfileReport.H"
 #include "SameFiles.H"
 #include "StepReport.H"
@@ -36,7 +37,7 @@ namespace
 void pbfDroplet(const Arguments& args, const Communicator& parts)
 {
     const bool isCut = parts.parts() > 1, isFirst = parts.part() == 0;
-    shareProcessors(partsOfHost(parts));
+    shareProcessors(parts.partsOfHost());
     const DeviceInfo device = openNamedDevice(parts.partOfHost());
     warnOfSharedDevices(device, parts);
 
@@ -47,24 +48,22 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     if (isCut) setup.models->refuseParts();
     const BalanceControls cutting = BalanceControls::read(args.casePath());
     FunctionObjects functions(time, setup.liquid->properties().spacing, !args.found("noFunctionObjects"));
-    setup.readParticles(time);
-    if (cutting.sameBits) shareAsOf(setup.liquid->owned());
-    setup.refuseBadStart(time);
-
     Liquid& liquid = *setup.liquid;
     Neighbourhood near(liquid);
-    reportRelaxation(setup.relaxOverlap(time, near));
+    Balance balance(cutting);
+    if (isCut) liquid.ghosts().join(parts);
+    setup.readParticles(time);
+    if (isCut) balance.begin(liquid, near);
     FlowView flow(time, liquid, near, *setup.walls, *setup.models);
+    if (isCut) flow.cut(isFirst ? setup.emptyLiquid() : nullptr);
+    if (cutting.sameBits) shareAsOf(flow.particles());
+    setup.refuseBadStart(time);
+    reportRelaxation(setup.relaxOverlap(time, near));
     functions.modelsMade(flow);
     TimeStep step(time, setup, near);
-    reportStart(flow);
-    limitStepsOfBlobs(flow, step);
-    Balance balance(cutting);
-    if (isCut)
-    {
-        balance.begin(liquid, near, parts);
-        flow.cut(isFirst ? setup.emptyLiquid() : nullptr);
-    }
+    reportStart(flow, liquid);
+    limitStepsOfBlobs(flow, liquid, step);
+    FallenLiquid fallen(setup);
     if (args.found("dry-run"))
     {
         const std::optional<RowCut> cut = isCut ? std::optional(balance.cut()) : std::nullopt;
@@ -97,6 +96,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         const bool densitiesAreDue = time.reportDue() || functions.lookAtDensities(time);
         if (densitiesAreDue) flow.computeDensities();
         takeOut(setup, near, flow, time);
+        if (time.reportDue()) fallen.warn(liquid);
         step.beginNext(steps);
         refuseDivergence(time, steps, step, setup, writer);
 
@@ -130,7 +130,7 @@ extern "C" int runOnDevice(int argc, char** argv)
         {
             deviceOption(),
             precisionOption(),
-            {"parallel", "", "as one of those that mpirun has started: mpirun -np 4 pbfDroplet -parallel", ""},
+            parallelOption("pbfDroplet"),
             {"dry-run", "", "read and check everything, print memory and cost, run nothing", ""},
             {"profile", "", "print what each kernel took, per sub-step, at the end", ""},
             {"noFunctionObjects", "", "leave out the function objects of system/controlDict", ""}

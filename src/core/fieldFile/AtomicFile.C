@@ -151,10 +151,18 @@ void writeFolderAtomically(const fs::path& folder, const std::function<void(cons
     const Removal removal(temporary);
 
     write(temporary);
+    putFolderInPlace(folder);
+}
+
+void putFolderInPlace(const fs::path& folder)
+{
+    const fs::path temporary = partialPath(folder);
     syncFolder(temporary);
+    const Removal removal(temporary);
     if (fs::exists(folder)) exchangeFolders(temporary, folder);
     else
     {
+        std::error_code error;
         fs::rename(temporary, folder, error);
         if (error) fail(folder, error.message());
     }

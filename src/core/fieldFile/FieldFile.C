@@ -13,12 +13,12 @@ namespace shizuku
 namespace
 {
 
-FieldData readAll(const std::filesystem::path& file, const FieldReader& reader)
+FieldData readChosen(const std::filesystem::path& file, const FieldReader& reader, const ChooseElements& choose = {})
 {
     FieldData field{file.filename().string(), reader.type(), reader.dimensions(), reader.uniform(), {}, reader.spacing()};
-    const std::size_t elements = reader.elements();
-    field.values.reserve(elements * componentsOf(field.type));
-    reader.read(elements, [&](std::size_t, std::span<const double> values)
+    const ElementRange all{0, reader.elements()}, range = choose && !reader.uniform() ? choose(all.end) : all;
+    field.values.reserve((range.end - range.first) * componentsOf(field.type));
+    reader.read(range, [&](std::size_t, std::span<const double> values)
     {
         field.values.insert(field.values.end(), values.begin(), values.end());
     });
@@ -50,7 +50,7 @@ std::string typeName(FieldType type)
 
 FieldData readField(const std::filesystem::path& file, long expectedElements)
 {
-    return readAll(file, FieldReader(file, std::nullopt, std::nullopt, expectedElements));
+    return readChosen(file, FieldReader(file, std::nullopt, std::nullopt, expectedElements));
 }
 
 FieldData readField
@@ -58,7 +58,16 @@ FieldData readField
     const std::filesystem::path& file, FieldType type, const Dimensions& dimensions, long expectedElements
 )
 {
-    return readAll(file, FieldReader(file, type, dimensions, expectedElements));
+    return readChosen(file, FieldReader(file, type, dimensions, expectedElements));
+}
+
+FieldData readField
+(
+    const std::filesystem::path& file, const ChooseElements& choose, std::optional<FieldType> type, std::optional<Dimensions> dimensions,
+    long expectedElements
+)
+{
+    return readChosen(file, FieldReader(file, type, dimensions, expectedElements), choose);
 }
 
 }

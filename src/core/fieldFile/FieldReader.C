@@ -158,17 +158,17 @@ std::size_t FieldReader::elements() const
     return binary_ ? binary_->elements() : values_.size() / componentsOf(type_);
 }
 
-void FieldReader::read(std::size_t elements, const Take& take) const
+void FieldReader::read(const ElementRange& range, const Take& take) const
 {
     const std::size_t components = componentsOf(type_);
-    std::vector<double> values(std::min(atOnce, elements) * components);
+    std::vector<double> values(std::min(atOnce, range.end - range.first) * components);
     if (uniform_)
     {
         for (std::size_t i = 0; i < values.size(); ++i) values[i] = values_[i % components];
     }
-    for (std::size_t first = 0; first < elements; first += atOnce)
+    for (std::size_t first = range.first; first < range.end; first += atOnce)
     {
-        const std::size_t count = std::min(atOnce, elements - first) * components;
+        const std::size_t count = std::min(atOnce, range.end - first) * components;
         if (binary_) binary_->read(first, {values.data(), count});
         const double* const there = binary_ || uniform_ ? values.data() : values_.data() + first * components;
         take(first, {there, count});

@@ -3,6 +3,8 @@
 
 #include "SolverCase.H"
 
+#include "core/fieldFile/FieldFile.H"
+
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -126,8 +128,10 @@ TEST_P(Parallel, GoesOnWithAnotherNumberOfRanks)
     control("writeFormat binary; endTime 1e-3;");
     ASSERT_EQ(run(parallel(2)).status, 0);
     control("writeFormat binary; endTime 2e-3;");
-    write("system/decomposeParDict", "method rows;\ndirection z;\nrebalanceAbove 0;\n");
-    ASSERT_EQ(run(parallel(3)).status, 0);
+    write("system/decomposeParDict", "method simple;\nsimpleCoeffs { n (1 1 3); }\nrebalanceAbove 0;\n");
+    const Outcome three = run(parallel(3));
+    ASSERT_EQ(three.status, 0) << three.text;
+    EXPECT_TRUE(holds(three.text, {"Parts  : 3, cut across z"}));
     control("writeFormat binary;");
     ASSERT_EQ(solve().status, 0);
     EXPECT_TRUE(same(whole, contents("0.004")));
@@ -188,13 +192,75 @@ TEST_P(Parallel, RefusesWhatItCannotDoOnceAndLeavesTheCase)
         EXPECT_TRUE(same(kept, contents()));
     };
     write("system/decomposeParDict", "method scotch;\n");
-    refused({"scotch", "system/decomposeParDict at line 1", "rows"});
+    refused({"scotch", "liquid moves", "system/decomposeParDict at line 1", "rows", "simple"});
+    write("system/decomposeParDict", "method lines;\n");
+    refused({"lines", "system/decomposeParDict at line 1", "rows", "simple"});
+    write("system/decomposeParDict", "method simple;\nsimpleCoeffs { n (3 1 1); }\n");
+    refused({"rows of cells along x stay whole", "(1 N 1)"});
+    write("system/decomposeParDict", "numberOfSubdomains 4;\n");
+    refused({"has 4 parts, and there are 3 processes", "mpirun -np 4"});
     write("system/decomposeParDict", "rebalanceAbove -1;\n");
     refused({"The share is negative"});
     remove("system/decomposeParDict");
     write("system/solution", "spacing 1e-3;\n");
     write("constant/models", "pressure WCSPH;\nsurfaceTension none;\nwetting none;\nviscosity XSPH;\nbodyForce none;\n");
     refused({"The liquid cannot be cut into parts with pressure WCSPH"});
+}
+
+// Of a block of 294 particles: each rank has some, and what it needs.
+TEST_P(Parallel, ADryRunTellsWhatEachRankNeeds)
+{
+    const Contents kept = contents();
+    const Outcome outcome = run(parallel(3, "-dry-run"));
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const std::regex line("part (\\d) +: (\\d+) particles, ([0-9.e+-]+) MiB");
+    int ranks = 0, all = 0;
+    for (std::sregex_iterator next(outcome.text.begin(), outcome.text.end(), line), end; next != end; ++next)
+    {
+        EXPECT_EQ(std::stoi((*next)[1]), ranks++);
+        all += std::stoi((*next)[2]);
+        EXPECT_GT(std::stod((*next)[3]), 0);
+    }
+    EXPECT_EQ(ranks, 3) << outcome.text;
+    EXPECT_EQ(all, particles);
+    EXPECT_TRUE(same(kept, contents()));
+}
+
+// The ranks read a share each. Six particles of two shares in one place: the density there is above 1.9.
+TEST_P(Parallel, LooksAtTheStartAsOneProcessDoes)
+{
+    FieldData positions = readField(path()/"0/liquid/positions");
+    const std::size_t middle = 3*(positions.elements()/2);
+    for (std::size_t k = 0; k < 15; ++k) positions.values[middle + k] = positions.values[k%3] + (k%3 == 0 ? 1e-5*double(k) : 0);
+    writeField(path()/"0/liquid/positions", positions, {});
+    const auto found = [](const std::string& text) { return text.substr(text.find("--> FATAL"), text.find("stopped") - text.find("--> FATAL")); };
+    const Outcome one = solve(), several = run(parallel(3));
+    ASSERT_EQ(one.status, 1);
+    EXPECT_EQ(several.status, 1);
+    EXPECT_TRUE(holds(one.text, {"starts overlapping itself"}));
+    EXPECT_EQ(found(several.text), found(one.text));
+
+    write("system/solution", read("system/solution") + "overlaps relax;\n");
+    control("endTime 2e-3;");
+    const Outcome relaxed = solve();
+    ASSERT_EQ(relaxed.status, 0) << relaxed.text;
+    EXPECT_TRUE(holds(relaxed.text, {"were moved apart in"}));
+    const Contents whole = contents("0.002");
+    removeResults();
+    const Outcome inParts = run(parallel(3));
+    ASSERT_EQ(inParts.status, 0) << inParts.text;
+    EXPECT_TRUE(same(whole, contents("0.002")));
+}
+
+TEST_P(Parallel, RefusesLiquidInsideOfWallsThatOneRankFinds)
+{
+    FieldData positions = readField(path()/"0/liquid/positions");
+    const std::size_t last = positions.elements() - 1;
+    positions.values[3*last + 2] = -5e-3;
+    writeField(path()/"0/liquid/positions", positions, {});
+    const Outcome outcome = run(parallel(2));
+    EXPECT_EQ(outcome.status, 1) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"Liquid particle " + std::to_string(last) + " at ", "is inside the solid"}));
 }
 
 // Only the first rank looks at the lock.

@@ -265,6 +265,28 @@ TEST_P(Steps, aBlobOfFewParticlesStaysCalm)
 }
 
 // Liquid that falls on a knife of 60 degrees. Planes fitted to both flanks at once would throw it off at a hundred times its speed.
+// Beside the floor, 0.06 m in a step: after two it is a hundred spacings of 1 mm below all that there was, for the rest of the run.
+TEST_P(Steps, liquidThatFallsFarBelowTheSceneIsNamedOnce)
+{
+    fill({0, 0, -60});
+    FieldData positions = readField(path()/"0/liquid/positions");
+    for (std::size_t k = 1; k < positions.values.size(); k += 3) positions.values[k] += 20e-3;
+    writeField(path()/"0/liquid/positions", positions, {});
+    control("writeInterval 4;");
+    const std::string text = "m below all that there was at the start";
+    const Outcome outcome = solve();
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {text, "constant/outlets"}));
+    const std::size_t first = outcome.text.find(text);
+    EXPECT_EQ(outcome.text.find(text, first + 1), std::string::npos) << outcome.text;
+
+    removeResults();
+    write("constant/outlets", "below { type plane; point (0 0 -1); normal (0 0 -1); }\n");
+    const Outcome watched = solve();
+    ASSERT_EQ(watched.status, 0) << watched.text;
+    EXPECT_EQ(watched.text.find(text), std::string::npos) << watched.text;
+}
+
 TEST_P(Steps, aSharpEdgeOfTheWallThrowsNoLiquid)
 {
     SolidParticles solid;

@@ -57,7 +57,8 @@ TEST(StartCheck, MeasuresByAllPairs)
     EXPECT_EQ(crowding.crowded, crowded);
     EXPECT_NEAR(crowding.compression, std::sqrt(squares / 500), 1e-5);
     EXPECT_EQ(crowding.particles, 500);
-    EXPECT_EQ(drop.liquid.id.download()[crowding.densest], densest);
+    const std::vector<std::uint32_t> id = drop.liquid.id.download();
+    EXPECT_EQ(crowding.densest, drop.liquid.positions()[std::find(id.begin(), id.end(), densest) - id.begin()]);
 }
 
 // Lattices as fillLiquid makes them, alone and two that touch; with every kernel a full neighbourhood has 1.

@@ -3,12 +3,15 @@
 
 #include "device/Device.H"
 #include "meshes/MeshTopology.H"
+#include "parallel/AllParts.H"
+#include "parallel/PartsOfProcess.H"
 #include "support/PointSets.H"
 #include "support/ScratchFolder.H"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <mutex>
 #include <numbers>
 
 using namespace shizuku;
@@ -343,4 +346,47 @@ TEST(LiquidSurface, OfOneParticleIsEmptyOrClosed)
     const TriangleMesh mesh = meshOf({{0.2f, 0.1f, -0.3f}}, {.spacing = 1, .cell = 0.2f, .support = 1.5f});
     EXPECT_GT(mesh.volume(), 0);
     expectSurface(mesh);
+}
+
+// Of balls that touch many layers, few, and none between them, by as many parts as there are layers and more. Each vertex belongs to one part; where roundings of
+// sums over particles, which other liquid far away can change the order of, move it is below 1e-3 spacings.
+TEST(LiquidSurface, IsMadeByPartsAsByOne)
+{
+    std::vector<Vec3> particles = latticeBall(7.2f, {0, 0, -3});
+    for (const Vec3 p : latticeBall(3.1f, {25, 3, 40})) particles.push_back(p);
+    const std::vector<Position> places = placed(particles);
+    LiquidSurface mesher(parameters);
+    const SurfaceMesh whole = extract(mesher, particles);
+    for (const int parts : {1, 2, 3, 11})
+    {
+        std::mutex mutex;
+        std::vector<std::vector<std::int64_t>> triangles(parts);
+        std::vector<std::vector<Vector3>> vertices(parts);
+        runParts(parts, [&](const Communicator& own)
+        {
+            const auto [first, end] = shareOf(own, places.size());
+            LiquidSurface surface(parameters);
+            const auto [cut, near] = surface.particlesOfLayers({places.begin() + long(first), places.begin() + long(end)}, own);
+            surface.build(Buffer<Position>(near).span(), cut);
+            const SurfaceMesh piece = surface.download();
+            const LiquidSurface::Numbers& numbers = surface.numbers();
+            const std::lock_guard lock(mutex);
+            for (const std::uint32_t corner : piece.triangles)
+            {
+                const int other = int(corner) - numbers.own;
+                triangles[own.part()].push_back(other < 0 ? numbers.first + corner : numbers.others.at(other));
+            }
+            vertices[own.part()].assign(piece.vertices.begin(), piece.vertices.begin() + numbers.own);
+        });
+        std::vector<std::int64_t> all;
+        std::vector<Vector3> places;
+        for (int part = 0; part < parts; ++part)
+        {
+            all.insert(all.end(), triangles[part].begin(), triangles[part].end());
+            places.insert(places.end(), vertices[part].begin(), vertices[part].end());
+        }
+        EXPECT_TRUE(std::equal(all.begin(), all.end(), whole.triangles.begin(), whole.triangles.end())) << parts;
+        ASSERT_EQ(places.size(), whole.vertices.size()) << parts;
+        for (std::size_t i = 0; i < places.size(); ++i) ASSERT_LT(length(places[i] - whole.vertices[i]), 1e-3) << parts;
+    }
 }

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // meshSurface: the liquid's surface of each time as a closed triangle mesh, <time>/surface/liquid.<format>.
+//
+// With -parallel each part meshes some layers of the space; files are those of one process, or, as pvtp, pieces that the parts write.
 
+#include "MeshOfParts.H"
 #include "MeshTimes.H"
 #include "caseFiles/LiquidFiles.H"
 #include "core/arguments/runApplication.H"
 #include "core/messages/Progress.H"
 #include "core/time/Time.H"
 #include "device/DeviceApplication.H"
-#include "meshes/VolumeOffset.H"
+#include "device/Processors.H"
 #include "meshes/surfaceFormats/SurfaceFormat.H"
+#include "parallel/AllParts.H"
+#include "parallel/ParallelRun.H"
 #include "particles/Units.H"
 #include "surface/CaseSurface.H"
 
@@ -17,6 +22,7 @@
 #include <iomanip>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 namespace shizuku
 {
@@ -69,27 +75,101 @@ std::string signedPercent(double fraction)
     return text.str();
 }
 
-// Moves the mesh to the volume, no farther than half a spacing, and says what came of it.
-std::string conserved(TriangleMesh& mesh, double volume, double spacing)
+// What came of moving the mesh to enclose N d^3, no farther than half a spacing.
+std::string conserved(double offset, double spacing)
 {
-    const double offset = offsetToVolume(mesh, volume, 0.5 * spacing);
-    if (std::isnan(offset)) return "left there: N d^3 is more than half a spacing away";
+    if (std::isnan(offset)) return ", left there: N d^3 is more than half a spacing away";
     std::ostringstream text;
-    text << "moved by " << std::setprecision(2) << offset / spacing << " spacings to enclose N d^3";
+    text << ", moved by " << std::setprecision(2) << offset / spacing << " spacings to enclose N d^3";
     return text.str();
 }
 
-int repeatsOf(const Arguments& args)
+int repeatsOf(const Arguments& args, const Communicator& parts)
 {
     const double repeats = args.getDouble("repeats");
-    if (repeats >= 0 && repeats <= 1e6 && repeats == std::floor(repeats)) return int(repeats);
-    throw FatalInputError({}, "Option -repeats has the value " + args.get("repeats"), "a number of meshes, 0 to 1000000");
+    if (!(repeats >= 0 && repeats <= 1e6 && repeats == std::floor(repeats)))
+    {
+        throw FatalInputError({}, "Option -repeats has the value " + args.get("repeats"), "a number of meshes, 0 to 1000000");
+    }
+    if (repeats > 0 && parts.parts() > 1) throw FatalInputError({}, "Both -repeats and -parallel are given", "one of them");
+    return int(repeats);
 }
 
-void meshSurface(const Arguments& args)
+// A part's share of the particles of a time, and how many there are in all.
+struct Share
 {
-    const int repeats = repeatsOf(args);
-    openNamedDevice();
+    std::size_t all = 0;
+    std::vector<Position> positions;
+};
+
+Share readShare(const TimeFolder& time, double unit, const Communicator& parts)
+{
+    Share share;
+    const auto choose = [&](std::size_t n)
+    {
+        share.all = n;
+        const auto [first, end] = shareOf(parts, n);
+        return ElementRange{first, end};
+    };
+    inAllParts(parts, [&] { share.positions = scaled(readLiquidPositions(time.path, choose), unit); });
+    return share;
+}
+
+// What the files have.
+struct MeshNumbers
+{
+    double filled, spacing;             // m3: N d^3; m
+    bool conserves;
+};
+
+void writeWhole(const Formats& formats, const TimeFolder& time, TriangleMesh mesh, const MeshNumbers& numbers, std::string& text)
+{
+    if (numbers.conserves) text = conserved(offsetToVolume(mesh, numbers.filled, 0.5 * numbers.spacing), numbers.spacing);
+    for (const auto& [word, format] : formats)
+    {
+        if (!format->takesPieces()) format->write(liquidSurfaceFile(time.path, word), mesh);
+    }
+}
+
+// Files of the whole are those of one process, and part 0 writes them.
+std::string write(const Formats& formats, const TimeFolder& time, MeshOfParts& mesh, const MeshNumbers& numbers, const Communicator& parts)
+{
+    std::string text;
+    const auto takesPieces = [](const auto& format) { return format.second->takesPieces(); };
+    if (!std::all_of(formats.begin(), formats.end(), takesPieces))
+    {
+        TriangleMesh whole = mesh.whole();
+        inAllParts(parts, [&]
+        {
+            if (parts.part() == 0) writeWhole(formats, time, std::move(whole), numbers, text);
+        });
+    }
+    if (std::any_of(formats.begin(), formats.end(), takesPieces))
+    {
+        if (numbers.conserves) text = conserved(mesh.offsetPieces(numbers.filled, 0.5 * numbers.spacing), numbers.spacing);
+        const TriangleMesh piece = mesh.piece();
+        for (const auto& [word, format] : formats)
+        {
+            if (format->takesPieces()) format->writePiece(liquidSurfaceFile(time.path, word), piece, parts);
+        }
+    }
+    return text;
+}
+
+void reportMemory(const Communicator& parts, std::size_t mostParticles)
+{
+    const std::vector<std::size_t> bytes = parts.gather(deviceCounters().peakBytes), particles = parts.gather(mostParticles);
+    const std::size_t most = std::max_element(bytes.begin(), bytes.end()) - bytes.begin();
+    std::cout << "\nMemory : " << bytes[most] / 1000000.0 << " MB on the device";
+    if (particles[most] > 0) std::cout << ", " << bytes[most] / particles[most] << " bytes a particle";
+    std::cout << (parts.parts() > 1 ? ", of the part that needs most\n" : "\n");
+}
+
+void meshSurface(const Arguments& args, const Communicator& parts)
+{
+    const int repeats = repeatsOf(args, parts);
+    shareProcessors(parts.partsOfHost());
+    openNamedDevice(parts.partOfHost());
 
     const double spacing = readSpacing(args.casePath());
     const Units units = Units::near(spacing, 1, 1);
@@ -101,26 +181,21 @@ void meshSurface(const Arguments& args)
     std::size_t most = 0;
     for (std::size_t t = 0; t < times.size(); ++t)
     {
-        const std::vector<Vector3> positions = readLiquidPositions(times[t].path);
-        const Buffer<Position> particles(scaled(positions, units.length));
-        surface.build(particles.span());
-        TriangleMesh mesh = toTriangleMesh(surface.download(), units.length);
-        const double volume = mesh.volume(), filled = double(positions.size()) * spacing * spacing * spacing;
-        std::cout << "Time = " << times[t].name << " s: " << mesh.faces.size() << " triangles, "
-                  << mesh.vertices.size() << " vertices, volume " << volume << " m3";
+        Share share = readShare(times[t], units.length, parts);
+        const auto [cut, own] = surface.particlesOfLayers(std::exchange(share.positions, {}), parts);
+        const Buffer<Position> particles(own);
+        surface.build(particles.span(), cut);
+        MeshOfParts mesh(surface, units.length, cut);
+        const double volume = mesh.volume(), filled = double(share.all) * spacing * spacing * spacing;
+        std::cout << "Time = " << times[t].name << " s: " << mesh.triangles() << " triangles, "
+                  << mesh.vertices() << " vertices, volume " << volume << " m3";
         if (filled > 0) std::cout << " (" << signedPercent(volume / filled - 1) << " against the particles' N d^3)";
-        if (controls.conserveVolume && filled > 0) std::cout << ", " << conserved(mesh, filled, spacing);
-        std::cout << std::endl;
+        std::cout << write(formats, times[t], mesh, {filled, spacing, controls.conserveVolume && filled > 0}, parts) << std::endl;
         if (repeats > 0 && filled > 0) reportMeshTimes(surface, particles.span(), repeats);
-        for (const auto& [word, format] : formats) format->write(liquidSurfaceFile(times[t].path, word), mesh);
         progress.update(double(t + 1) / double(times.size()));
-        most = std::max(most, positions.size());
+        most = std::max(most, own.size());
     }
-
-    const std::size_t bytes = deviceCounters().peakBytes;
-    std::cout << "\nMemory : " << bytes / 1000000.0 << " MB on the device";
-    if (most > 0) std::cout << ", " << bytes / most << " bytes a particle";
-    std::cout << "\n";
+    reportMemory(parts, most);
 }
 
 }
@@ -140,10 +215,14 @@ extern "C" int runOnDevice(int argc, char** argv)
         {
             deviceOption(),
             precisionOption(),
+            parallelOption("meshSurface"),
             {"formats", "LIST", "of " + words + ", e.g. \"(ply stl)\"; default: those of system/meshSurfaceDict, or ply", ""},
             {"repeats", "N", "make each mesh N times more, and print what it takes", "0"}
         }
     };
     for (const Option& option : timeSelectionOptions()) info.options.push_back(option);
-    return runApplication(argc, argv, info, meshSurface);
+    return runInParts(argc, argv, [&](const Communicator& parts)
+    {
+        return runApplication(argc, argv, info, [&](const Arguments& args) { meshSurface(args, parts); });
+    });
 }

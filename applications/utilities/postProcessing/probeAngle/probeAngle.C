@@ -8,8 +8,12 @@
 #include "drops/DropMeasurement.H"
 #include "meshes/MeshTopology.H"
 #include "meshes/PlyFile.H"
+#include "parallel/AllParts.H"
+#include "parallel/ParallelRun.H"
 
+#include <algorithm>
 #include <iostream>
+#include <sstream>
 
 using namespace shizuku;
 
@@ -36,47 +40,110 @@ TriangleMesh readSurface(const std::filesystem::path& file)
     );
 }
 
-void probeAngle(const Arguments& args)
+// What a part found at its time of a round: the drops by what their numbers go by, and what of them is written and printed.
+struct FoundDrop
 {
-    const auto holds = [](const TimeFolder& time) { return std::filesystem::exists(liquidSurfaceFile(time.path)); };
-    const std::vector<TimeFolder> times =
-        selectTimesWith(args, holds, "a surface mesh", "<time>/surface/liquid.ply: run meshSurface before");
+    Vector3 centroid;
+    double volume;
+};
 
-    const CaseWalls walls = readCaseWalls(args.casePath());
-    const DropControls controls = readControls(args.casePath(), walls);
-    DropMeasurement measurement(args.casePath(), controls, walls, readSpacing(args.casePath()));
-    CsvFile table = dropTable(args.casePath()/"postProcessing/probeAngle"/times.front().name/"angle.csv");
-    Progress progress("Measuring");
-    for (const TimeFolder& time : times)
+class Probe
+{
+public:
+    Probe(const Arguments& args, const Communicator& parts)
+    :
+        parts_(parts), times_(selectTimesWith(args, holdsSurface, "a surface mesh", "<time>/surface/liquid.ply: run meshSurface before")),
+        walls_(readCaseWalls(args.casePath())), controls_(readControls(args.casePath(), walls_)),
+        measurement_(args.casePath(), controls_, walls_, readSpacing(args.casePath())),
+        table_(dropTable(args.casePath()/"postProcessing/probeAngle"/times_.front().name/"angle.csv"))
+    {}
+
+    // The parts take a time each, one round after another.
+    void measure()
     {
-        progress.update(double(&time - times.data())/times.size());
-        measurement.readCase(time.value);
-        const std::vector<DropRecord> records = measurement.measure
-        (
-            readSurface(liquidSurfaceFile(time.path)), readLiquidPositions(time.path), time.value
-        );
-        std::cout << "Time = " << time.name << ": " << records.size() << (records.size() == 1 ? " drop\n" : " drops\n");
-        for (const DropRecord& record : records)
+        Progress progress("Measuring");
+        for (std::size_t first = 0; first < times_.size(); first += parts_.parts())
         {
-            addRow(table, record);
-            if (&time == &times.back()) std::cout << '\n' << report(record, controls.wall);
+            progress.update(double(first)/times_.size());
+            measureRound(first);
         }
+        if (parts_.part() == 0) table_.write();
+        std::cout << "\nWritten: " << table_.file().string() << "\n";
     }
-    table.write();
-    std::cout << "\nWritten: " << table.file().string() << "\n";
-}
+
+private:
+    static bool holdsSurface(const TimeFolder& time) { return std::filesystem::exists(liquidSurfaceFile(time.path)); }
+
+    void measureRound(std::size_t first)
+    {
+        const std::size_t own = first + parts_.part();
+        std::vector<DropRecord> records;
+        inAllParts(parts_, [&] { if (own < times_.size()) records = drops(times_[own]); });
+
+        // The numbers of drops go on from time to time.
+        std::vector<FoundDrop> found;
+        for (const DropRecord& record : records) found.push_back({record.centroid, record.volume});
+        const std::vector<Bytes> all = parts_.exchange(std::vector<Bytes>(parts_.parts(), bytesOf(found)));
+        for (std::size_t time = first; time < std::min(first + parts_.parts(), times_.size()); ++time)
+        {
+            if (time == own) measurement_.number(records);
+            else numberOthers(all[time - first]);
+        }
+
+        for (const DropRecord& record : records) addRow(table_, record);
+        const std::string rows = table_.takeRows();
+        for (const std::string& of : gatherTexts(parts_, rows)) table_.addRows(of);
+        for (const std::string& of : gatherTexts(parts_, own < times_.size() ? textOf(times_[own], records) : "")) std::cout << of << std::flush;
+    }
+
+    std::vector<DropRecord> drops(const TimeFolder& time)
+    {
+        measurement_.readCase(time.value);
+        return measurement_.measureUnnumbered(readSurface(liquidSurfaceFile(time.path)), readLiquidPositions(time.path), time.value);
+    }
+
+    void numberOthers(const Bytes& bytes)
+    {
+        std::vector<FoundDrop> found;
+        appendTo(found, bytes);
+        std::vector<DropRecord> records(found.size());
+        for (std::size_t k = 0; k < found.size(); ++k)
+        {
+            records[k].centroid = found[k].centroid;
+            records[k].volume = found[k].volume;
+        }
+        measurement_.number(records);
+    }
+
+    std::string textOf(const TimeFolder& time, const std::vector<DropRecord>& records) const
+    {
+        std::ostringstream text;
+        text << "Time = " << time.name << ": " << records.size() << (records.size() == 1 ? " drop\n" : " drops\n");
+        if (&time != &times_.back()) return text.str();
+        for (const DropRecord& record : records) text << '\n' << report(record, controls_.wall);
+        return text.str();
+    }
+
+    const Communicator& parts_;
+    std::vector<TimeFolder> times_;
+    CaseWalls walls_;
+    DropControls controls_;
+    DropMeasurement measurement_;
+    CsvFile table_;
+};
 
 }
 
 int main(int argc, char** argv)
 {
-    return runApplication
-    (
-        argc, argv,
-        {
-            "probeAngle", "Measures contact angles, contact radius, height and volume of every drop on a wall.",
-            timeSelectionOptions()
-        },
-        probeAngle
-    );
+    std::vector<Option> options = timeSelectionOptions();
+    options.push_back(parallelOption("probeAngle"));
+    const ApplicationInfo info
+    {
+        "probeAngle", "Measures contact angles, contact radius, height and volume of every drop on a wall.", options
+    };
+    return runInParts(argc, argv, [&](const Communicator& parts)
+    {
+        return runApplication(argc, argv, info, [&](const Arguments& args) { Probe(args, parts).measure(); });
+    });
 }

@@ -11,8 +11,10 @@
 #include "core/arguments/runApplication.H"
 #include "core/dictionary/Dictionary.H"
 #include "core/time/Time.H"
+#include "meshes/MeshTopology.H"
 #include "meshes/PlyFile.H"
 #include "vtk/Picture.H"
+#include "vtk/PvtpFile.H"
 #include "vtk/VirtualDisplay.H"
 
 #include <algorithm>
@@ -29,15 +31,27 @@ using namespace shizuku;
 namespace
 {
 
+bool hasSurface(const TimeFolder& time)
+{
+    return std::filesystem::exists(liquidSurfaceFile(time.path)) || std::filesystem::exists(liquidSurfaceFile(time.path, "pvtp"));
+}
+
+// As one mesh, or in pieces.
+TriangleMesh readSurface(const TimeFolder& time)
+{
+    const auto mesh = liquidSurfaceFile(time.path);
+    return std::filesystem::exists(mesh) ? readPly(mesh) : withSharedVertices(readPieces(piecesOfPvtp(liquidSurfaceFile(time.path, "pvtp"))));
+}
+
 // The selected times that hold liquid; the latest of all where none is selected.
 std::vector<TimeFolder> chosenTimes(const Arguments& args)
 {
     const auto holds = [](const TimeFolder& time)
     {
-        return std::filesystem::exists(time.path/"liquid/positions") || std::filesystem::exists(liquidSurfaceFile(time.path));
+        return std::filesystem::exists(time.path/"liquid/positions") || hasSurface(time);
     };
     const std::vector<TimeFolder> times =
-        selectTimesWith(args, holds, "liquid", "<time>/surface/liquid.ply of meshSurface, or <time>/liquid");
+        selectTimesWith(args, holds, "liquid", "<time>/surface/liquid.ply or .pvtp of meshSurface, or <time>/liquid");
     return args.found("time") ? times : std::vector<TimeFolder>{times.back()};
 }
 
@@ -95,9 +109,9 @@ PictureView readView(const Arguments& args)
 
 void addLiquid(PictureScene& scene, const TimeFolder& time)
 {
-    if (std::filesystem::exists(liquidSurfaceFile(time.path)))
+    if (hasSurface(time))
     {
-        scene.liquid = readPly(liquidSurfaceFile(time.path));
+        scene.liquid = readSurface(time);
         return;
     }
     scene.particles = readLiquidPositions(time.path);

@@ -38,13 +38,13 @@ LiquidFields::LiquidFields
     }
 }
 
-std::vector<FieldData> LiquidFields::read(const std::filesystem::path& timePath, std::size_t particles) const
+std::vector<FieldData> LiquidFields::read(const std::filesystem::path& timePath, std::size_t particles, const ChooseElements& choose) const
 {
     std::vector<FieldData> fields;
     for (const std::string& name : names_)
     {
         const auto file = timePath/"liquid"/name;
-        if (std::filesystem::exists(file)) fields.push_back(readField(file, long(particles)));
+        if (std::filesystem::exists(file)) fields.push_back(readField(file, choose, {}, {}, long(particles)));
     }
     return fields;
 }

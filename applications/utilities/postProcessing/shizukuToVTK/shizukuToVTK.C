@@ -6,6 +6,9 @@
 //     VTK/solid/solid_<index>.vtp         solid particles: normals out of the solid, patch (its number), theta [degrees]
 //     VTK/<name>.pvd, <name>.vtp.series   the animations
 //
+// With -parallel each part writes the particles that it has read, a share of the file, as a piece of liquid_<index>.pvtp; so it does with a surface that is
+// in pieces.
+//
 // Coordinates are in metres; every file has the field data TimeValue [s] and particleSpacing [m]. <index> counts the case's
 // times, whichever are selected. The animations keep what was converted before of times that are not selected now.
 
@@ -18,10 +21,13 @@
 #include "core/messages/Progress.H"
 #include "core/time/Time.H"
 #include "meshes/PlyFile.H"
+#include "parallel/AllParts.H"
+#include "parallel/ParallelRun.H"
 #include "vtk/VtkSeries.H"
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 
 using namespace shizuku;
 
@@ -76,60 +82,116 @@ int indexOf(const TimeFolder& time, const std::vector<TimeFolder>& among)
     return int(std::find_if(among.begin(), among.end(), same) - among.begin());
 }
 
-void convert(const Arguments& args)
+// Those of a surface in pieces that are a part's, by turns.
+TriangleMesh ownPieces(const std::filesystem::path& file, const Communicator& parts)
 {
-    const std::vector<TimeFolder> all = timeFolders(args.casePath()), times = selectTimes(args);
-    const double spacing = readSpacing(args.casePath());
-    const VtkEncoding encoding = vtkEncodingFrom(args.get("format"));
-    std::optional<std::vector<std::string>> wanted;
-    if (args.found("fields")) wanted = args.getList("fields");
-    const LiquidFields fields(times, wanted);
+    const std::vector<std::filesystem::path> all = piecesOfPvtp(file);
+    std::vector<std::filesystem::path> own;
+    for (std::size_t k = parts.part(); k < all.size(); k += parts.parts()) own.push_back(all[k]);
+    return readPieces(own);
+}
 
-    VtkSeries liquid(args.casePath(), "liquid", encoding);
-    VtkSeries surface(args.casePath(), "surface", encoding);
-    VtkSeries solid(args.casePath(), "solid", encoding);
-    SolidConverter solidConverter(args.casePath());
-
-    Progress progress("Converting to VTK");
-    for (std::size_t i = 0; i < times.size(); ++i)
+class Conversion
+{
+public:
+    Conversion(const Arguments& args, const Communicator& parts)
+    :
+        parts_(parts), case_(args.casePath()), all_(timeFolders(case_)), times_(selectTimes(args)), spacing_(readSpacing(case_)),
+        fields_(times_, args.found("fields") ? std::optional(args.getList("fields")) : std::nullopt),
+        liquid_(case_, "liquid", vtkEncodingFrom(args.get("format"))), surface_(case_, "surface", vtkEncodingFrom(args.get("format"))),
+        solid_(case_, "solid", vtkEncodingFrom(args.get("format")))
     {
-        const TimeFolder& time = times[i];
-        const int index = indexOf(time, all);
-        std::cout << "Time = " << time.name << '\n';
-        if (std::filesystem::exists(time.path/"liquid/positions"))
+        if (parts.part() == 0) solidConverter_.emplace(case_);
+    }
+
+    void run()
+    {
+        Progress progress("Converting to VTK");
+        for (std::size_t i = 0; i < times_.size(); ++i)
         {
-            VtpContent content;
-            content.points = readLiquidPositions(time.path);
-            content.pointFields = fields.read(time.path, content.points.size());
-            liquid.add(time.value, index, std::move(content), spacing);
+            std::cout << "Time = " << times_[i].name << '\n';
+            const int index = indexOf(times_[i], all_);
+            addLiquid(times_[i], index);
+            addSurface(times_[i], index, int(i) % parts_.parts());
+            inAllParts(parts_, [&]
+            {
+                if (solidConverter_) solidConverter_->add(solid_, times_[i], index, spacing_);
+            });
+            progress.update(double(i + 1)/times_.size());
         }
+        inAllParts(parts_, [&] { finish(); });
+    }
+
+private:
+    void addLiquid(const TimeFolder& time, int index)
+    {
+        if (!std::filesystem::exists(time.path/"liquid/positions")) return;
+        VtpContent content;
+        inAllParts(parts_, [&]
+        {
+            std::size_t particles = 0;
+            const auto share = [&](std::size_t n)
+            {
+                particles = n;
+                const auto [first, end] = shareOf(parts_, n);
+                return ElementRange{first, end};
+            };
+            content.points = readLiquidPositions(time.path, share);
+            content.pointFields = fields_.read(time.path, particles, share);
+        });
+        liquid_.addPiece(time.value, index, std::move(content), spacing_, parts_);
+    }
+
+    // A surface that is one mesh is converted by one part.
+    void addSurface(const TimeFolder& time, int index, int converter)
+    {
         if (std::filesystem::exists(liquidSurfaceFile(time.path)))
         {
-            surface.add(time.value, index, vtpOf(readPly(liquidSurfaceFile(time.path))), spacing);
+            inAllParts(parts_, [&]
+            {
+                if (parts_.part() == converter) surface_.add(time.value, index, vtpOf(readPly(liquidSurfaceFile(time.path))), spacing_);
+                else surface_.addOther(time.value, index);
+            });
         }
-        solidConverter.add(solid, time, index, spacing);
-        progress.update(double(i + 1)/times.size());
+        else if (const auto file = liquidSurfaceFile(time.path, "pvtp"); std::filesystem::exists(file))
+        {
+            TriangleMesh own;
+            inAllParts(parts_, [&] { own = ownPieces(file, parts_); });
+            surface_.addPiece(time.value, index, vtpOf(own), spacing_, parts_);
+        }
     }
 
-    if (liquid.times() + surface.times() + solid.times() == 0)
+    void finish() const
     {
-        throw FatalInputError
-        (
-            {args.casePath().string(), 0}, "The selected times hold nothing to convert",
-            "<time>/liquid, <time>/surface or constant/solid"
-        );
+        if (parts_.part() > 0) return;
+        if (liquid_.times() + surface_.times() + solid_.times() == 0)
+        {
+            throw FatalInputError
+            (
+                {case_.string(), 0}, "The selected times hold nothing to convert",
+                "<time>/liquid, <time>/surface or constant/solid"
+            );
+        }
+        std::vector<double> others;
+        for (const TimeFolder& time : all_)
+        {
+            if (indexOf(time, times_) == int(times_.size())) others.push_back(time.value);
+        }
+        for (const VtkSeries* series : {&liquid_, &surface_, &solid_})
+        {
+            series->finish(others);
+            if (series->times() > 0) std::cout << "Written: " << series->pvdFile().string() << '\n';
+        }
     }
-    std::vector<double> others;
-    for (const TimeFolder& time : all)
-    {
-        if (indexOf(time, times) == int(times.size())) others.push_back(time.value);
-    }
-    for (const VtkSeries* series : {&liquid, &surface, &solid})
-    {
-        series->finish(others);
-        if (series->times() > 0) std::cout << "Written: " << series->pvdFile().string() << '\n';
-    }
-}
+
+    const Communicator& parts_;
+    std::filesystem::path case_;
+    std::vector<TimeFolder> all_, times_;
+    double spacing_;
+    LiquidFields fields_;
+    VtkSeries liquid_, surface_, solid_;
+    std::optional<SolidConverter> solidConverter_;      // of part 0
+};
 
 }
 
@@ -143,9 +205,10 @@ int main(int argc, char** argv)
         "how the numbers stand in the files; appended is the smallest, but not every VTK 9.1 reads it",
         "binary"
     });
-    return runApplication
-    (
-        argc, argv,
-        {"shizukuToVTK", "Converts particles, solids and surfaces to VTK files for ParaView.", options}, convert
-    );
+    options.push_back(parallelOption("shizukuToVTK"));
+    const ApplicationInfo info{"shizukuToVTK", "Converts particles, solids and surfaces to VTK files for ParaView.", options};
+    return runInParts(argc, argv, [&](const Communicator& parts)
+    {
+        return runApplication(argc, argv, info, [&](const Arguments& args) { Conversion(args, parts).run(); });
+    });
 }
