@@ -106,7 +106,7 @@ TEST_P(Restart, ARunEndsWhereAllLiquidIsTakenOut)
     control("functions { out { type outflow; } sizes { type drops; } state { type liquidState; } }");
     const Outcome outcome = solve();
     EXPECT_EQ(outcome.status, 0) << outcome.text;
-    EXPECT_TRUE(holds(outcome.text, {"all liquid was taken out", "taken out: all 294 particles, 2.94e-07 m3", "\nEnd\n"}));
+    EXPECT_TRUE(holds(outcome.text, {"all liquid was taken out", "taken out: all 294 particles, 2.94e-07 m3", "sizes: drops 0, ", "\nEnd\n"}));
     EXPECT_TRUE(exists("0.001/liquid/positions"));
     EXPECT_FALSE(exists("0.002"));
 }

@@ -187,6 +187,23 @@ TEST_P(Steps, dryRunChangesNothing)
     EXPECT_TRUE(stepsOf(outcome.text).empty());
 }
 
+TEST_P(Steps, theLogTellsOverWhatContactLinesSlip)
+{
+    const auto log = [&](const std::string& coefficients)
+    {
+        write
+        (
+            "constant/models",
+            "pressure pbf; surfaceTension Fujisawa2014; wetting contactAngle; viscosity newtonian; bodyForce gravity; newtonianCoeffs { " + coefficients + " }"
+        );
+        return solve("-dry-run").text;
+    };
+    EXPECT_TRUE(holds(log(""), {"Contact lines slip over up to a spacing, 0.001 m\n"}));
+    EXPECT_TRUE(holds(log("slipLength 1e-8;"), {"up to a spacing, 0.001 m; slipLength is shorter, and not resolved\n"}));
+    EXPECT_TRUE(holds(log("slipLength 0.002;"), {"Contact lines slip over 0.002 m, slipLength\n"}));
+    EXPECT_FALSE(holds(log("noSlip no;"), {"Contact lines slip"}));
+}
+
 TEST_P(Steps, dryRunFindsErrors)
 {
     write("constant/wettability", "floor { theta 60; }\nside { theta 181; }\n");

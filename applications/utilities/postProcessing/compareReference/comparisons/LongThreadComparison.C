@@ -2,14 +2,15 @@
 // type longThread;  radius 5e-4;  length 0.036;  within 10;
 // A thread of that radius and length [m] along z from z = 0 on, between planes, that begins at rest with waves of many lengths: the mean of k R over its waves, each
 // weighed by the square of its height, once the radius differs from its mean by a fifth, rms; against the same of waves that have grown from those at the start as
-// long by Rayleigh's rates (reference/CapillaryWave.H), in percent. Waves of k R below 1, which grow, are looked at. And the mean distance of drops at the end against the fastest
-// wave's length, those at the planes counted as halves, those of less than a quarter of a wavelength's liquid not at all. spectrum.csv holds the heights of the waves, over the radius.
+// long by Rayleigh's rates (reference/CapillaryWave.H), in percent. Waves of k R below 1, which grow, are looked at. And the mean distance of drops when there are most of them, later some merge, against
+// the fastest wave's length: those at the planes counted as halves, those of less than a quarter of a wavelength's liquid not at all. spectrum.csv holds the heights of the waves, over the radius.
 
 #include "Comparison.H"
 #include "CosineMoment.H"
 #include "drops/SeparateBodies.H"
 #include "reference/CapillaryWave.H"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -39,10 +40,11 @@ public:
             for (std::size_t i = 0; i < squares.size(); ++i) squares[i] += std::pow(waves.back().trace.moment[i], 2);
         }
         const double none = std::nan("");
-        double measured = none, expected = none, time = none;
-        for (std::size_t i = 0; i < squares.size() && std::isnan(time); ++i)
+        double measured = none, expected = none, time = none, most = 0;
+        for (std::size_t i = 0; i < squares.size(); ++i)
         {
-            if (squares[i] < 2*rough*rough) continue;
+            if (!std::isnan(time)) most = std::max(most, drops(results, results.times()[i]));
+            if (!std::isnan(time) || squares[i] < 2*rough*rough) continue;
             time = waves.front().trace.time[i];
             const auto now = [&](const Wave& wave) { return wave.trace.moment[i]; };
             const auto grown = [&](const Wave& wave)
@@ -59,7 +61,7 @@ public:
         {
             relativeRow("k R of the waves that win", "", expected, measured, within_),
             {"time until then", "growth times", none, time*threadGrowth(fastest, results.sigma, results.rho, radius_), none, "", none},
-            relativeRow("distance of the drops", "radii", 2*std::numbers::pi/fastest, length_/radius_/drops(results), within_)
+            relativeRow("distance of the drops", "radii", 2*std::numbers::pi/fastest, most > 0 ? length_/radius_/most : none, within_)
         };
     }
 
@@ -83,9 +85,9 @@ private:
         return sum/weights;
     }
 
-    double drops(const CaseResults& results) const
+    double drops(const CaseResults& results, const TimeFolder& time) const
     {
-        const std::vector<Vector3> positions = results.positions(results.times().back());
+        const std::vector<Vector3> positions = results.positions(time);
         const double least = 0.25*std::numbers::pi*radius_*radius_*2*std::numbers::pi*radius_/fastest;
         double number = 0;
         for (const SeparateBody& body : separateBodies(positions, std::vector<Vector3>(positions.size()), results.spacing))

@@ -80,6 +80,7 @@ private:
         const auto from = std::lower_bound(t.begin(), t.end(), 1/exact.damping) - t.begin();
         return fitDecay({t.begin() + from, t.end()}, {q.begin() + from, q.end()}, exact.frequency, exact.damping);
     }
+
     double dampingWithin_;
     int mode_;
 };

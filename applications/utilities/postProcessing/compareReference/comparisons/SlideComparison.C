@@ -35,7 +35,7 @@ public:
 
         const double base = std::sin(radians(theta_))*capRadius(theta_)*results.radius(), logarithm = std::log(base/results.spacing);
         const double force = results.rho*results.liquidVolume()*results.gravity/(results.sigma*base);
-        const double slip = measured > 0 ? base*std::exp(-slidingLogarithm(theta_, measured, force)) : none;
+        const double slip = measured > 0 ? base/std::exp(slidingLogarithm(theta_, measured, force)) : none;
         std::vector<ComparisonRow> rows
         {
             relativeRow("capillary number of sliding", "", slidingSpeed(theta_, force, logarithm), measured, none),
