@@ -78,25 +78,6 @@ TriangleMesh withSharedVertices(const TriangleMesh& mesh)
     return result;
 }
 
-TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh)
-{
-    std::vector<int> number(mesh.vertices.size(), -1);
-    for (const auto& face : mesh.faces)
-    {
-        for (const int corner : face) number[corner] = 0;
-    }
-    TriangleMesh result;
-    for (std::size_t i = 0; i < number.size(); ++i)
-    {
-        if (number[i] < 0) continue;
-        number[i] = int(result.vertices.size());
-        result.vertices.push_back(mesh.vertices[i]);
-        if (!mesh.normals.empty()) result.normals.push_back(mesh.normals[i]);
-    }
-    for (const auto& [i, j, k] : mesh.faces) result.faces.push_back({number[i], number[j], number[k]});
-    return result;
-}
-
 std::vector<TriangleMesh> connectedComponents(const TriangleMesh& mesh)
 {
     boost::disjoint_sets_with_storage<> sets(mesh.vertices.size());

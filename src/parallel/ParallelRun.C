@@ -93,7 +93,7 @@ int runInParts(int argc, char** argv, const std::function<int(const Communicator
         warnOfLonely();
         return run(Alone());
     }
-    std::unique_ptr<ParallelRun> all;
+    static std::unique_ptr<ParallelRun> all;            // -help and the like end the program from within
     try
     {
         all = open(argc, argv);
@@ -112,7 +112,11 @@ int runInParts(int argc, char** argv, const std::function<int(const Communicator
         status = run(parts);
         errors = muted.errors();
     }
-    if (status == EXIT_SUCCESS || all->allCome(soon)) return status;
+    if (status == EXIT_SUCCESS || all->allCome(soon))
+    {
+        all.reset();
+        return status;
+    }
     if (parts.part() > 0) std::cerr << "\nPart " << parts.part() << " of " << parts.parts() << ":" << errors << std::flush;
     all->abort(status);
     return status;

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <set>
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -110,6 +111,9 @@ TEST_F(ParallelTools, ProbeAngleLeavesTheTableAndTheLogOfOneProcess)
         EXPECT_EQ(read("postProcessing/probeAngle/0/angle.csv"), table);
         EXPECT_EQ(timesIn(outcome.text), timesIn(alone.text));
     }
+    const Outcome listed = callOn(2, "probeAngle", "-listTimes");
+    EXPECT_EQ(listed.status, 0) << listed.text;
+    EXPECT_TRUE(holds(listed.text, {"\n0.01\n0.02\n"}));
 }
 
 // With more parts than there are layers, too. Sums over particles may come in another order where others lie elsewhere: what that moves vertices by is below 1e-3 spacings.
@@ -164,6 +168,9 @@ TEST_F(ParallelTools, MeshSurfaceWritesPiecesThatJoin)
         const TriangleMesh mesh = readPieces(pieces), joined = withSharedVertices(mesh);
         EXPECT_EQ(joined.vertices.size(), whole.vertices.size());
         EXPECT_TRUE(findDefects(joined).none());
+        std::set<int> used;
+        for (const auto& face : mesh.faces) used.insert(face.begin(), face.end());
+        EXPECT_EQ(used.size(), mesh.vertices.size());           // those of seams that no triangle of a piece needs are not there
         ASSERT_EQ(mesh.faces.size(), whole.faces.size());
         for (std::size_t f = 0; f < whole.faces.size(); ++f)
         {

@@ -37,6 +37,20 @@ TEST(CsvFile, MayBeWrittenAfterEachRow)
     EXPECT_EQ(table.rows(), 3u);
 }
 
+TEST(CsvFile, TakesRowsOfAnother)
+{
+    const ScratchFolder folder;
+    CsvFile table(folder.path() / "volume.csv", {{"volume", "m^3"}}), other(folder.path() / "other.csv", {{"volume", "m^3"}});
+    table.addRow({1.0});
+    other.addRow({2.0});
+    table.addRows(other.takeRows());
+    table.addRows(other.takeRows());
+    table.write();
+    other.write();
+    EXPECT_EQ(folder.read("volume.csv"), "volume [m^3]\n1\n2\n");
+    EXPECT_EQ(folder.read("other.csv"), "volume [m^3]\n");
+}
+
 // What was written is not kept: a long run's tables take no memory. A table that is there from another run is replaced.
 TEST(CsvFile, AddsToWhatIsOnTheDisk)
 {

@@ -167,6 +167,31 @@ TEST(FieldFile, TakesTypeAndDimensionsFromTheFileWhereAskedTo)
     EXPECT_TRUE(holds(messageOf([&] { readField(folder.path() / "tensors"); }), {"tensorField", "vectorField"}));
 }
 
+// More elements than a reader takes at once, and a share that begins and ends within what it takes.
+TEST(FieldFile, ReadsTheElementsThatAreChosen)
+{
+    constexpr std::size_t elements = 50000, first = 20001, end = 40003;
+    std::vector<double> values;
+    for (std::size_t k = 0; k < 3 * elements; ++k) values.push_back(double(k));
+    const ScratchFolder folder;
+    for (const bool binary : {false, true})
+    {
+        writeField(folder.path() / "U", vectorField(values), {.binary = binary, .scalarBits = 64});
+        std::size_t asked = 0;
+        const auto choose = [&](std::size_t n)
+        {
+            asked = n;
+            return ElementRange{first, end};
+        };
+        const FieldData read = readField(folder.path() / "U", choose, FieldType::vector, dimensions::velocity, elements);
+        EXPECT_EQ(asked, elements);
+        EXPECT_EQ(read.values, std::vector<double>(values.begin() + 3 * first, values.begin() + 3 * end));
+        EXPECT_TRUE(readField(folder.path() / "U", [](std::size_t n) { return ElementRange{n, n}; }).values.empty());
+    }
+    folder.write("U", header + velocity + "internalField uniform (1 2 3);\n");
+    EXPECT_EQ(readField(folder.path() / "U", [](std::size_t) { return ElementRange{5, 9}; }).values, (std::vector<double>{1, 2, 3}));
+}
+
 TEST(FieldFile, UniformFieldsHaveOneElement)
 {
     const ScratchFolder folder;

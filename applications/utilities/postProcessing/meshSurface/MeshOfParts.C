@@ -2,7 +2,6 @@
 #include "MeshOfParts.H"
 
 #include "core/messages/Error.H"
-#include "meshes/MeshTopology.H"
 #include "parallel/AllParts.H"
 #include "surface/CaseSurface.H"
 
@@ -82,8 +81,6 @@ MeshMeasure MeshOfParts::measure(const TriangleMesh& piece) const
 {
     return parts_.fold(Measures{{piece.volumeFrom(apex_), piece.area()}}).sum;
 }
-
-TriangleMesh MeshOfParts::piece() const { return withoutUnusedVertices(piece_); }
 
 double MeshOfParts::offsetPieces(double volume, double most)
 {

@@ -147,10 +147,9 @@ std::string write(const Formats& formats, const TimeFolder& time, MeshOfParts& m
     if (std::any_of(formats.begin(), formats.end(), takesPieces))
     {
         if (numbers.conserves) text = conserved(mesh.offsetPieces(numbers.filled, 0.5 * numbers.spacing), numbers.spacing);
-        const TriangleMesh piece = mesh.piece();
         for (const auto& [word, format] : formats)
         {
-            if (format->takesPieces()) format->writePiece(liquidSurfaceFile(time.path, word), piece, parts);
+            if (format->takesPieces()) format->writePiece(liquidSurfaceFile(time.path, word), mesh.piece(), parts);
         }
     }
     return text;
