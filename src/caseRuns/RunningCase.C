@@ -47,15 +47,21 @@ std::vector<std::string> environmentWith(const std::map<std::string, std::string
     return result;
 }
 
+// Waits for a word, or for the end of who would say it.
+bool hasWord(int stream)
+{
+    char word = 0;
+    ssize_t count = 0;
+    while ((count = ::read(stream, &word, 1)) < 0 && errno == EINTR) {}
+    return count > 0;
+}
+
 // Waits for the end of who holds the lifeline's other end; where no word came before, ends the group. Only system calls.
 [[noreturn]] void guard(int lifeline, pid_t group)
 {
     ::setpgid(0, group);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);
-    char word = 0;
-    ssize_t count = 0;
-    while ((count = ::read(lifeline, &word, 1)) < 0 && errno == EINTR) {}
-    if (count > 0) ::_exit(0);
+    if (hasWord(lifeline)) ::_exit(0);
     ::kill(-group, SIGTERM);
     ::sleep(5);
     ::kill(-group, SIGKILL);
@@ -90,10 +96,13 @@ RunningCase::RunningCase
     const char* const arguments[] = {"sh", "-c", command.c_str(), nullptr};
 
     const int log = openLog(casePath);
-    id_ = ::fork();
+    int go[2] = {-1, -1};       // the command waits for its guard: where this program is killed before that, neither starts
+    id_ = ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, go) == 0 ? ::fork() : -1;
     if (id_ == 0)
     {
         ::setpgid(0, 0);
+        ::close(go[1]);
+        if (!hasWord(go[0])) ::_exit(127);
         ::signal(SIGINT, SIG_DFL);
         ::signal(SIGTERM, SIG_DFL);
         const int input = ::open("/dev/null", O_RDONLY);
@@ -103,9 +112,20 @@ RunningCase::RunningCase
         if (::chdir(casePath.c_str()) == 0) ::execve("/bin/sh", const_cast<char* const*>(arguments), variables.data());
         ::_exit(127);
     }
+    const int error = errno;
     ::close(log);
-    if (id_ < 0) throw FatalError(std::string("Cannot start another process: ") + std::strerror(errno));
-    ::setpgid(id_, id_);        // here too: whoever comes first
+    if (id_ > 0)
+    {
+        ::setpgid(id_, id_);    // here too: whoever comes first
+        startGuarding();
+        ::send(go[1], "", 1, MSG_NOSIGNAL);
+    }
+    for (const int end : go) ::close(end);
+    if (id_ < 0) throw FatalError(std::string("Cannot start another process: ") + std::strerror(error));
+}
+
+void RunningCase::startGuarding()
+{
     int lifeline[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, lifeline) != 0) return;
     guard_ = startGuard(lifeline, id_);

@@ -4,6 +4,7 @@
 // The liquid of each time is read as for a restart, and what lies around each particle is listed anew: sums over neighbours agree with a
 // run's to the rounding of single precision.
 
+#include "caseFiles/LiquidFiles.H"
 #include "core/arguments/runApplication.H"
 #include "core/time/PostProcessing.H"
 #include "device/DeviceApplication.H"
@@ -42,10 +43,8 @@ Dictionary entriesOf(const Dictionary& functions, const std::string& name)
 std::unique_ptr<FunctionObject> make(const Dictionary& dict, const FunctionSetting& setting, double deltaT)
 {
     auto object = FunctionObjectTable::New("functionObject", dict.lookup<std::string>("type"), dict.where("type"), dict, setting);
-    for (const char* entry : {"libs", "enabled"})
-    {
-        if (dict.found(entry)) dict.lookup<std::vector<std::string>>(entry);
-    }
+    if (dict.found("libs")) dict.lookup<std::vector<std::string>>("libs");      // of OpenFOAM's
+    dict.lookupOr("enabled", true);                 // it is asked for
     FunctionControl::execute(dict, deltaT);         // when, which is now
     FunctionControl::write(dict, deltaT);
     dict.refuseUnused();
@@ -101,9 +100,7 @@ void postProcess(const Arguments& args)
     openNamedDevice();
 
     const Time first(args.casePath(), times.front());
-    CaseSetup setup(args.casePath());
-    setup.readSolution();
-    std::vector<Measurement> all = measurements(args, first, setup.solution->lookupPositive("spacing", dimensions::length));
+    std::vector<Measurement> all = measurements(args, first, readSpacing(args.casePath()));
     for (const TimeFolder& time : times)
     {
         std::cout << "Time = " << time.name << " s" << std::endl;
