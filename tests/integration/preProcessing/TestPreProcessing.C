@@ -65,7 +65,7 @@ protected:
 
 }
 
-TEST_F(PreProcessing, chainWritesSolidAnglesAndLiquid)
+TEST_F(PreProcessing, ChainWritesSolidAnglesAndLiquid)
 {
     expectSuccess
     (
@@ -103,7 +103,7 @@ TEST_F(PreProcessing, chainWritesSolidAnglesAndLiquid)
     }
 }
 
-TEST_F(PreProcessing, binaryFormatGivesTheSame)
+TEST_F(PreProcessing, BinaryFormatGivesTheSame)
 {
     expectSuccess("sampleSurface", {});
     const SolidParticles ascii = readSolidParticles(casePath());
@@ -118,7 +118,7 @@ TEST_F(PreProcessing, binaryFormatGivesTheSame)
     EXPECT_TRUE(holds(folder_.read("constant/solid/positions"), {"format      binary"}));
 }
 
-TEST_F(PreProcessing, surfacesThatChangedSinceTheyWereSampledAreTold)
+TEST_F(PreProcessing, SurfacesThatChangedSinceTheyWereSampledAreTold)
 {
     const auto toldBy = [&](const std::string& application)
     {
@@ -150,7 +150,7 @@ TEST_F(PreProcessing, surfacesThatChangedSinceTheyWereSampledAreTold)
     EXPECT_EQ(toldBy("sampleTheta"), "");
 }
 
-TEST_F(PreProcessing, sheetsThatMeetInAnEdgeAreWrittenDown)
+TEST_F(PreProcessing, SheetsThatMeetInAnEdgeAreWrittenDown)
 {
     const auto form = [&](const std::string& triangles)
     {
@@ -167,7 +167,7 @@ TEST_F(PreProcessing, sheetsThatMeetInAnEdgeAreWrittenDown)
     EXPECT_TRUE(branchingSheets(casePath()).empty());
 }
 
-TEST_F(PreProcessing, casesWithoutSampledWallsNeedNothing)
+TEST_F(PreProcessing, CasesWithoutSampledWallsNeedNothing)
 {
     folder_.write("constant/walls", "lid { type plane; point (0 0 1); normal (0 0 -1); }");
     folder_.write("constant/wettability", "lid { theta 90; }");
@@ -181,7 +181,7 @@ TEST_F(PreProcessing, casesWithoutSampledWallsNeedNothing)
     expectSuccess("fillLiquid", {"Wrote 0/liquid", "later times, up to 0.02 s", "Allclean"});
 }
 
-TEST_F(PreProcessing, aThinPlateIsRefusedWithWhatItNeeds)
+TEST_F(PreProcessing, AThinPlateIsRefusedWithWhatItNeeds)
 {
     folder_.write("constant/walls", "plate { type particles; surface \"plate.off\"; }");
     folder_.write
@@ -193,7 +193,7 @@ TEST_F(PreProcessing, aThinPlateIsRefusedWithWhatItNeeds)
     expectRefusal("sampleSurface", {"'plate'", "0.0012 m thin", "1.2 spacings", "0.002 m", "0.0006 m", "a sheet"}, "constant/solid");
 }
 
-TEST_F(PreProcessing, otherSurfaceFormatsAreRead)
+TEST_F(PreProcessing, OtherSurfaceFormatsAreRead)
 {
     folder_.write("constant/walls", "block { type particles; surface \"block.off\"; }");
     folder_.write
@@ -210,7 +210,7 @@ TEST_F(PreProcessing, otherSurfaceFormatsAreRead)
     expectSuccess("sampleSurface", {"block: read 2 triangles", "1 open border left open"});
 }
 
-TEST_F(PreProcessing, badSurfacesAreRefused)
+TEST_F(PreProcessing, BadSurfacesAreRefused)
 {
     const std::string stl = "constant/triSurface/floor.stl", output = "constant/solid";
     folder_.write(stl, "");
@@ -227,7 +227,7 @@ TEST_F(PreProcessing, badSurfacesAreRefused)
     );
 }
 
-TEST_F(PreProcessing, surfacesInOtherUnitsAreRefusedWithAHint)
+TEST_F(PreProcessing, SurfacesInOtherUnitsAreRefusedWithAHint)
 {
     folder_.write("constant/triSurface/floor.stl", stlText(rectangle(20, 20), "floor"));
     folder_.write("constant/walls", "floor { type particles; surface \"floor.stl\"; }");
@@ -243,7 +243,7 @@ TEST_F(PreProcessing, surfacesInOtherUnitsAreRefusedWithAHint)
     expectRefusal("sampleSurface", {"scale", "-1"}, "constant/solid");
 }
 
-TEST_F(PreProcessing, holesAreClosedUpToTheWidthThatIsAskedFor)
+TEST_F(PreProcessing, HolesAreClosedUpToTheWidthThatIsAskedFor)
 {
     // A frame: 8 x 8 mm are missing in the middle of the floor.
     folder_.write
@@ -262,7 +262,7 @@ TEST_F(PreProcessing, holesAreClosedUpToTheWidthThatIsAskedFor)
     expectRefusal("sampleSurface", {"closeHoles", "-1"}, "constant/solid");
 }
 
-TEST_F(PreProcessing, badSamplingEntriesAreRefused)
+TEST_F(PreProcessing, BadSamplingEntriesAreRefused)
 {
     folder_.write("system/sampleSurfaceDict", "method belle;");
     expectRefusal("sampleSurface", {"belle", "bell", "poissonDisk"}, "constant/solid");
@@ -275,7 +275,7 @@ TEST_F(PreProcessing, badSamplingEntriesAreRefused)
     expectRefusal("sampleSurface", {"spacing"}, "constant/solid");
 }
 
-TEST_F(PreProcessing, badWettabilityIsRefused)
+TEST_F(PreProcessing, BadWettabilityIsRefused)
 {
     expectRefusal("sampleTheta", {"sampleSurface first"}, "0/solid/theta");
     expectSuccess("sampleSurface", {});
@@ -296,7 +296,7 @@ TEST_F(PreProcessing, badWettabilityIsRefused)
     expectRefusal("sampleTheta", {"no patch or wall 'floor'", "wall 'floor' has the patches left, right"}, "0/solid/theta");
 }
 
-TEST_F(PreProcessing, badBodiesAreRefused)
+TEST_F(PreProcessing, BadBodiesAreRefused)
 {
     const std::string output = "0/liquid";
     fill("drop { type ball; centre (0 0 0.01); radius 5e-3; }");
@@ -312,7 +312,7 @@ TEST_F(PreProcessing, badBodiesAreRefused)
     expectRefusal("fillLiquid", {"5.23599e+11 particles", "up to 2e+08", "0.0137823 m", "fillLiquidDict"}, output);
 }
 
-TEST_F(PreProcessing, liquidInsideASolidIsRefused)
+TEST_F(PreProcessing, LiquidInsideASolidIsRefused)
 {
     expectSuccess("sampleSurface", {});
     fill("drop { type sphere; centre (0.01 0.01 0.003); radius 5e-3; }");
@@ -329,7 +329,7 @@ TEST_F(PreProcessing, liquidInsideASolidIsRefused)
     expectRefusal("fillLiquid", {"Liquid inside of other liquid", "'a'", "'b'"}, "0/liquid");
 }
 
-TEST_F(PreProcessing, bodiesAreCarvedTurnedAndTakenFromSurfaces)
+TEST_F(PreProcessing, BodiesAreCarvedTurnedAndTakenFromSurfaces)
 {
     expectSuccess("sampleSurface", {});
     folder_.write("constant/triSurface/body.stl", stlText(cube(8), "body"));
@@ -365,7 +365,7 @@ TEST_F(PreProcessing, bodiesAreCarvedTurnedAndTakenFromSurfaces)
     expectRefusal("fillLiquid", {"'cut'", "carve", "refuse"}, "0/liquid");
 }
 
-TEST_F(PreProcessing, patternsReachTheParticles)
+TEST_F(PreProcessing, PatternsReachTheParticles)
 {
     expectSuccess("sampleSurface", {});
     const SolidParticles solid = readSolidParticles(casePath());
@@ -389,7 +389,7 @@ TEST_F(PreProcessing, patternsReachTheParticles)
 }
 
 // The tutorial's image, a black cross of a fifth of its width on white; a build without VTK has no images.
-TEST_F(PreProcessing, anImageReachesTheParticles)
+TEST_F(PreProcessing, AnImageReachesTheParticles)
 {
     const std::filesystem::path build = environment("SHIZUKU_BUILD"), source = environment("SHIZUKU_DIR");
     if (!std::filesystem::exists(build/"bin/renderCase")) GTEST_SKIP() << "built without VTK";

@@ -55,7 +55,7 @@ const double capillaryTime = std::sqrt(998*1e-9/(2*std::numbers::pi*0.0728));
 
 }
 
-TEST_P(Steps, theCapillaryLimitIsNamed)
+TEST_P(Steps, TheCapillaryLimitIsNamed)
 {
     control("deltaT 2e-3;");
     const auto usual = stepsOf(solve().text);
@@ -67,7 +67,7 @@ TEST_P(Steps, theCapillaryLimitIsNamed)
     expectFirst(int(std::ceil(1e-3/(0.05*capillaryTime))), "capillary");
 }
 
-TEST_P(Steps, theCourantNumberIsNamedAndObeyed)
+TEST_P(Steps, TheCourantNumberIsNamedAndObeyed)
 {
     fill({1, 0, 0});
     control("maxCo 0.05;");
@@ -79,7 +79,7 @@ TEST_P(Steps, theCourantNumberIsNamedAndObeyed)
     expectCourant(steps, 0.05);
 }
 
-TEST_P(Steps, theViscousLimitIsNamed)
+TEST_P(Steps, TheViscousLimitIsNamed)
 {
     write("constant/liquidProperties", "rho 998; nu 1e-3; sigma 0.0728;");
     write
@@ -90,7 +90,7 @@ TEST_P(Steps, theViscousLimitIsNamed)
     expectFirst(8, "viscous");          // 1e-3 s/(0.125 d^2/nu)
 }
 
-TEST_P(Steps, withoutLimitsDeltaTIsTheStep)
+TEST_P(Steps, WithoutLimitsDeltaTIsTheStep)
 {
     control("deltaT 1e-4; endTime 4e-4;");
     auto steps = solvedSteps();
@@ -106,13 +106,13 @@ TEST_P(Steps, withoutLimitsDeltaTIsTheStep)
     EXPECT_EQ(steps[0].limit, "deltaT");
 }
 
-TEST_P(Steps, maxSubStepsStopsTheRun)
+TEST_P(Steps, MaxSubStepsStopsTheRun)
 {
     control("maxCapillaryCo 0.3; maxSubSteps 2;");
     expectRefusal({"3 sub-steps", "capillary", "maxSubSteps 2", "deltaT", "system/controlDict"});
 }
 
-TEST_P(Steps, endTimeAndMaxCoMayChangeWhileItRuns)
+TEST_P(Steps, EndTimeAndMaxCoMayChangeWhileItRuns)
 {
     control("endTime 60; writeInterval 1000000; runTimeModifiable yes; maxCapillaryCo 0.3;");
     Process process(command("pbfDroplet", ""), folder_.path()/"log");
@@ -135,7 +135,7 @@ TEST_P(Steps, endTimeAndMaxCoMayChangeWhileItRuns)
     EXPECT_EQ(folder_.list("case").size(), 4u);         // 0, constant, system and the last time
 }
 
-TEST_P(Steps, writeNowStopsTheRun)
+TEST_P(Steps, WriteNowStopsTheRun)
 {
     control("endTime 60; writeInterval 1000000; runTimeModifiable yes;");
     Process process(command("pbfDroplet", ""), folder_.path()/"log");
@@ -154,7 +154,7 @@ TEST_P(Steps, writeNowStopsTheRun)
     EXPECT_TRUE(exists(times[0] + "/liquid/positions"));
 }
 
-TEST_P(Steps, aWrongChangeIsLeftOut)
+TEST_P(Steps, AWrongChangeIsLeftOut)
 {
     control("endTime 60; writeInterval 1000000; runTimeModifiable yes;");
     Process process(command("pbfDroplet", ""), folder_.path()/"log");
@@ -168,7 +168,7 @@ TEST_P(Steps, aWrongChangeIsLeftOut)
     EXPECT_EQ(folder_.list("case"), (std::vector<std::string>{"0", "constant", "system"}));
 }
 
-TEST_P(Steps, dryRunChangesNothing)
+TEST_P(Steps, DryRunChangesNothing)
 {
     write(".0.002.partial/liquid/positions", "what another run may be writing");
     control("maxCapillaryCo 0.3; functions { drop { type liquidState; } }");
@@ -187,7 +187,7 @@ TEST_P(Steps, dryRunChangesNothing)
     EXPECT_TRUE(stepsOf(outcome.text).empty());
 }
 
-TEST_P(Steps, theLogTellsOverWhatContactLinesSlip)
+TEST_P(Steps, TheLogTellsOverWhatContactLinesSlip)
 {
     const auto log = [&](const std::string& coefficients)
     {
@@ -204,13 +204,13 @@ TEST_P(Steps, theLogTellsOverWhatContactLinesSlip)
     EXPECT_FALSE(holds(log("noSlip no;"), {"Contact lines slip"}));
 }
 
-TEST_P(Steps, dryRunFindsErrors)
+TEST_P(Steps, DryRunFindsErrors)
 {
     write("constant/wettability", "floor { theta 60; }\nside { theta 181; }\n");
     expectRefusal({"181", "0 to 180", "constant/wettability at line 2"}, "-dry-run");
 }
 
-TEST_P(Steps, functionObjectsMayBeLeftOut)
+TEST_P(Steps, FunctionObjectsMayBeLeftOut)
 {
     control("functions { drop { type liquidState; executeInterval 2; } }");
     ASSERT_EQ(solve().status, 0);
@@ -222,7 +222,7 @@ TEST_P(Steps, functionObjectsMayBeLeftOut)
     EXPECT_FALSE(exists("postProcessing"));
 }
 
-TEST_P(Steps, helpTellsTheOptions)
+TEST_P(Steps, HelpTellsTheOptions)
 {
     const Contents before = contents();
     const Outcome outcome = solve("-help");
@@ -235,7 +235,7 @@ TEST_P(Steps, helpTellsTheOptions)
     EXPECT_TRUE(same(before, contents()));
 }
 
-TEST_P(Steps, theHeaderNamesDeviceAndCase)
+TEST_P(Steps, TheHeaderNamesDeviceAndCase)
 {
     const Outcome outcome = solve();
     EXPECT_TRUE(holds
@@ -248,7 +248,7 @@ TEST_P(Steps, theHeaderNamesDeviceAndCase)
     ));
 }
 
-TEST_P(Steps, aCaseThatIsMovedAwayEndsTheRun)
+TEST_P(Steps, ACaseThatIsMovedAwayEndsTheRun)
 {
     control("endTime 10; writeInterval 1000000;");
     Process process(command("pbfDroplet", ""), folder_.path()/"out");
@@ -260,7 +260,7 @@ TEST_P(Steps, aCaseThatIsMovedAwayEndsTheRun)
 }
 
 // Eight particles would burst at 2 m/s in steps of 2.8 capillary ones; all of their surface energy would give 1.7.
-TEST_P(Steps, aBlobOfFewParticlesStaysCalm)
+TEST_P(Steps, ABlobOfFewParticlesStaysCalm)
 {
     write("constant/walls", "");
     write("constant/wettability", "");
@@ -283,7 +283,7 @@ TEST_P(Steps, aBlobOfFewParticlesStaysCalm)
 
 // Liquid that falls on a knife of 60 degrees. Planes fitted to both flanks at once would throw it off at a hundred times its speed.
 // Beside the floor, 0.06 m in a step: after two it is a hundred spacings of 1 mm below all that there was, for the rest of the run.
-TEST_P(Steps, liquidThatFallsFarBelowTheSceneIsNamedOnce)
+TEST_P(Steps, LiquidThatFallsFarBelowTheSceneIsNamedOnce)
 {
     fill({0, 0, -60});
     FieldData positions = readField(path()/"0/liquid/positions");
@@ -304,7 +304,7 @@ TEST_P(Steps, liquidThatFallsFarBelowTheSceneIsNamedOnce)
     EXPECT_EQ(watched.text.find(text), std::string::npos) << watched.text;
 }
 
-TEST_P(Steps, aSharpEdgeOfTheWallThrowsNoLiquid)
+TEST_P(Steps, ASharpEdgeOfTheWallThrowsNoLiquid)
 {
     SolidParticles solid;
     solid.patches = {"knife"};

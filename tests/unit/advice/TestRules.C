@@ -75,7 +75,7 @@ protected:
     Scene scene_;
 };
 
-TEST_F(RuleTest, tensionOfWhatIsHeavyOrFast)
+TEST_F(RuleTest, TensionOfWhatIsHeavyOrFast)
 {
     scene_.walls.front().type = "box";              // which holds the liquid
     scene_.gravity = {0, 0, -10};
@@ -88,7 +88,7 @@ TEST_F(RuleTest, tensionOfWhatIsHeavyOrFast)
     EXPECT_EQ(changes(ask("tension", effect*(1 - close))), "surfaceTension=laplacePressure wetting=extendedSurface");
 }
 
-TEST_F(RuleTest, tensionStopsWhatSpreads)
+TEST_F(RuleTest, TensionStopsWhatSpreads)
 {
     scene_.gravity = {0, 0, -10};
     fill(2e9);                                       // 0.12 to 0.16 m: Bo above 2000
@@ -102,7 +102,7 @@ TEST_F(RuleTest, tensionStopsWhatSpreads)
 // A hemisphere under little gravity is lower by Bo (ln(2)/3 - 1/12), Bo = (R/l)^2: the perturbed Young-Laplace equation,
 // (1 - x^2) e')' + 2 e = Bo (x - 2/3 + 2 k), x = cos(phi), e'(0) = 0 and no change of the volume, has
 // e = Bo (k - x ln(1 + x)/3), k = 1/12. The next order is of Bo^2, some percent of it here.
-TEST_F(RuleTest, gravityOnASmallDrop)
+TEST_F(RuleTest, GravityOnASmallDrop)
 {
     constexpr double nextOrder = 0.02;
     scene_.availableGravity = {0, 0, -10};
@@ -126,7 +126,7 @@ TEST_F(RuleTest, gravityOnASmallDrop)
     EXPECT_EQ(changes(ask("gravity", 0.9)), "no advice");
 }
 
-TEST_F(RuleTest, gravityOnAFreeBody)
+TEST_F(RuleTest, GravityOnAFreeBody)
 {
     scene_.availableGravity = {0, 0, -10};
     scene_.walls.clear();
@@ -136,7 +136,7 @@ TEST_F(RuleTest, gravityOnAFreeBody)
     EXPECT_EQ(changes(ask("gravity", 0.1*(1 + close))), "");
 }
 
-TEST_F(RuleTest, viscosityInTheTimeOfTheRun)
+TEST_F(RuleTest, ViscosityInTheTimeOfTheRun)
 {
     const double R = diameter()/2, effect = 1 - std::exp(-5*1e-6*scene_.duration/(R*R));
     scene_.models["viscosity"] = "laminar";
@@ -165,7 +165,7 @@ TEST_F(RuleTest, viscosityInTheTimeOfTheRun)
     EXPECT_EQ(changes(ask("viscosity", 1e-3)), "viscosity=none");
 }
 
-TEST_F(RuleTest, planesNeedNoParticles)
+TEST_F(RuleTest, PlanesNeedNoParticles)
 {
     scene_.walls = {{"floor", "particles", Plane{{0, 0, 0.5}, {0, 0, 1}}, {-1, -1, 0.5}, {1, 1, 0.5}, 60.0, true}};
     EXPECT_EQ(changes(ask("analyticWall", 0.0041)), "floor={ type plane; point (0 0 0.5); normal (0 0 1); }");
@@ -183,7 +183,7 @@ TEST_F(RuleTest, planesNeedNoParticles)
     EXPECT_EQ(changes(ask("analyticWall", 0.05)), "no advice");
 }
 
-TEST_F(RuleTest, formulationOfTheLeastError)
+TEST_F(RuleTest, FormulationOfTheLeastError)
 {
     EXPECT_EQ(changes(ask("formulation", 0.05)), "no advice");
     scene_.models["pressure"] = "pbf";
@@ -194,7 +194,7 @@ TEST_F(RuleTest, formulationOfTheLeastError)
     EXPECT_TRUE(holds(advice->reason, {"the default " + percent(typical(60, 2000, 0.7)), "the case's models 30 %"}));
 }
 
-TEST_F(RuleTest, spacingThatTheToleranceAsksFor)
+TEST_F(RuleTest, SpacingThatTheToleranceAsksFor)
 {
     // In steps of 2 % of the particles, and the spacing has three digits, rounded down.
     const auto spacing = [&](double tolerance)
@@ -214,14 +214,14 @@ TEST_F(RuleTest, spacingThatTheToleranceAsksFor)
     EXPECT_EQ(changes(ask("spacing", ofFourThousand)), "");
 }
 
-TEST_F(RuleTest, spacingTrustsNoLuck)
+TEST_F(RuleTest, SpacingTrustsNoLuck)
 {
     scene_.walls.clear();                                                   // period of a free drop: 1 % coarse, 20 % fine
     EXPECT_EQ(changes(ask("spacing", 0.05)), "");
     EXPECT_TRUE(holds(ask("spacing", 0.05)->reason, {"no stored study reaches the tolerance"}));
 }
 
-TEST_F(RuleTest, stepThatIsCalmAndWithinTheTolerance)
+TEST_F(RuleTest, StepThatIsCalmAndWithinTheTolerance)
 {
     fill(10000);
     const double atLonger = typical(60, 10000, 2.8);
@@ -237,7 +237,7 @@ TEST_F(RuleTest, stepThatIsCalmAndWithinTheTolerance)
     EXPECT_EQ(changes(ask("timeStep", 0.5)), "no advice");
 }
 
-TEST_F(RuleTest, iterationsOfADropAtRest)
+TEST_F(RuleTest, IterationsOfADropAtRest)
 {
     fill(1000);
     const auto angle = [&](double most) { return mean(iterationRuns_, "sessile", 60, 1000, most); };
@@ -261,7 +261,7 @@ TEST_F(RuleTest, iterationsOfADropAtRest)
 // A column of 40 spacings that falls 0.05 m, U^2 = 2 g fall; eight iterations of a support of two spacings reach 16.
 // Two drops of 1.2 mm radius on 60 degrees: stored studies tell of one. At four millimetres they stay apart; what moves them together
 // within the time of the run does not.
-TEST_F(RuleTest, dropsThatMayMeet)
+TEST_F(RuleTest, DropsThatMayMeet)
 {
     const auto place = [&](double x, double speed)
     {
@@ -290,7 +290,7 @@ TEST_F(RuleTest, dropsThatMayMeet)
     EXPECT_FALSE(scene_.mayMeet());
 }
 
-TEST_F(RuleTest, coarseGridForDeepLiquid)
+TEST_F(RuleTest, CoarseGridForDeepLiquid)
 {
     scene_.gravity = {0, 0, -10};
     const double d = scene_.spacing, H = 40*d, U = std::sqrt(2*10*0.05);
@@ -319,7 +319,7 @@ TEST_F(RuleTest, coarseGridForDeepLiquid)
 
 // A half sphere, of which pi (r^2 d - d^3/3) is within a spacing d: (2 - cos theta) 2^(2/3) = 4.391 on a wall of 140 degrees,
 // where a free sphere has 4, times pi sigma R^2. The cap at rest: 3.949 (src/reference/CapOnWall.H).
-TEST_F(RuleTest, startThatMayJumpOff)
+TEST_F(RuleTest, StartThatMayJumpOff)
 {
     EXPECT_EQ(changes(ask("start", 0.05)), "no advice");                 // it is not known to stand on anything
     const double V = scene_.bodies[0].liquid.volume, r = std::cbrt(3*V/(2*pi)), d = scene_.spacing;
@@ -360,7 +360,7 @@ TEST_F(RuleTest, startThatMayJumpOff)
     EXPECT_EQ(changes(ask("start", 0.05)), "no advice");
 }
 
-TEST_F(RuleTest, errorOfNineRunsInTen)
+TEST_F(RuleTest, ErrorOfNineRunsInTen)
 {
     EXPECT_FALSE(scene_.likelyError());                                   // too few stored runs to tell
     const StoredStudies many = inPairs(15, 3);
@@ -374,7 +374,7 @@ TEST_F(RuleTest, errorOfNineRunsInTen)
 }
 
 // sqrt(d/g) is 1e-2 s.
-TEST_F(RuleTest, stepsOfAFrontAreOfWeight)
+TEST_F(RuleTest, StepsOfAFrontAreOfWeight)
 {
     scene_.gravity = {0, 0, -1};
     scene_.subStep = 1e-3;
@@ -397,7 +397,7 @@ TEST_F(RuleTest, stepsOfAFrontAreOfWeight)
     EXPECT_NE(scene_.answer().scene, "damBreak");
 }
 
-TEST_F(RuleTest, laterRulesSeeWhatEarlierOnesChanged)
+TEST_F(RuleTest, LaterRulesSeeWhatEarlierOnesChanged)
 {
     // Coarse first; then the step has nothing left of the tolerance.
     std::string text;

@@ -29,7 +29,7 @@ void addCube(std::vector<Vector3>& points, int n, const Vector3& x)
 
 }
 
-TEST(ConnectedPoints, groupsAreFurtherApartThanTheDistance)
+TEST(ConnectedPoints, GroupsAreFurtherApartThanTheDistance)
 {
     std::vector<Vector3> points;
     addCube(points, 2, {0, 0, 0});
@@ -44,7 +44,7 @@ TEST(ConnectedPoints, groupsAreFurtherApartThanTheDistance)
     EXPECT_TRUE(connectedPoints({}, 1).empty());
 }
 
-TEST(ConnectedPoints, gapsAreThoseToTheNearestOtherPoint)
+TEST(ConnectedPoints, GapsAreThoseToTheNearestOtherPoint)
 {
     // On a line: nearest distances 1, 1, 1.5 and nothing within 3 for the last one.
     const PointGaps gaps = measureGaps({{0, 0, 0}, {1, 0, 0}, {2.5, 0, 0}, {9, 0, 0}}, 3);
@@ -56,7 +56,7 @@ TEST(ConnectedPoints, gapsAreThoseToTheNearestOtherPoint)
     EXPECT_EQ(measureGaps({{0, 0, 0}, {0, 0, 0}}, 1).least, 0);
 }
 
-TEST(SeparateBodies, haveTheirParticlesBoxAndMotion)
+TEST(SeparateBodies, HaveTheirParticlesBoxAndMotion)
 {
     std::vector<Vector3> positions, velocities;
     addCube(positions, 3, {2.6, 0, 0});
@@ -75,7 +75,7 @@ TEST(SeparateBodies, haveTheirParticlesBoxAndMotion)
 }
 
 // Cubes that turn as solids do: a cube has the same moment about each axis, so that the spin is exact.
-TEST(SeparateBodies, haveTheirSpin)
+TEST(SeparateBodies, HaveTheirSpin)
 {
     std::vector<Vector3> positions, velocities;
     addCube(positions, 4, {7, 1, 2});
@@ -84,7 +84,7 @@ TEST(SeparateBodies, haveTheirSpin)
     EXPECT_NEAR(length(separateBodies(positions, velocities, 1)[0].angularVelocity - spin), 0, 1e-13);
 }
 
-TEST(MotionWarnings, tellWhatTheViscosityDoesNotDo)
+TEST(MotionWarnings, TellWhatTheViscosityDoesNotDo)
 {
     std::vector<Vector3> positions, still, turning;
     addCube(positions, 10, {0, 0, 0});
@@ -104,7 +104,7 @@ TEST(MotionWarnings, tellWhatTheViscosityDoesNotDo)
     EXPECT_EQ(warnings("newtonian", turning, 1e-3) + warnings("laminar", turning, 1e-3), "");
 }
 
-TEST(SeparateBodies, sayWhatIsResolvedBadly)
+TEST(SeparateBodies, SayWhatIsResolvedBadly)
 {
     std::vector<Vector3> positions;
     for (int i = 0; i < 30*30*2; ++i) positions.push_back({double(i % 30), double(i/30 % 30), i/900 + 100.0});
@@ -118,7 +118,7 @@ TEST(SeparateBodies, sayWhatIsResolvedBadly)
 }
 
 // A puddle's height 2 l sin(theta/2): l at 60 degrees, 2 l at 180.
-TEST(SeparateBodies, sayThatWeightFlattensLiquid)
+TEST(SeparateBodies, SayThatWeightFlattensLiquid)
 {
     EXPECT_EQ(puddleWarning(3.001, 60, 1), "");
     EXPECT_EQ(puddleWarning(1.501, 180, 1), "");

@@ -103,7 +103,7 @@ double leastGap(const std::vector<Vector3>& points)
 
 }
 
-TEST(Sampling, planeGetsALatticeHalfASpacingBelow)
+TEST(Sampling, PlaneGetsALatticeHalfASpacingBelow)
 {
     const SampledSurface floor = sample(rectangle(47.3, 31.7));
     expectGoodCover(floor.quality);
@@ -128,7 +128,7 @@ TEST(Sampling, planeGetsALatticeHalfASpacingBelow)
     EXPECT_DOUBLE_EQ(leastGap(floor.particles.positions), floor.quality.minGap);
 }
 
-TEST(Sampling, sphereIsCoveredEvenlyByBothMethods)
+TEST(Sampling, SphereIsCoveredEvenlyByBothMethods)
 {
     for (const std::string& method : SeedMethodTable::words())
     {
@@ -148,7 +148,7 @@ TEST(Sampling, sphereIsCoveredEvenlyByBothMethods)
     }
 }
 
-TEST(Sampling, cubeHasNoParticleNearerToAFaceThanItsOwn)
+TEST(Sampling, CubeHasNoParticleNearerToAFaceThanItsOwn)
 {
     for (const double edge : {6.0, 8.74, 12.0, 18.33})
     {
@@ -164,7 +164,7 @@ TEST(Sampling, cubeHasNoParticleNearerToAFaceThanItsOwn)
 
 // Liquid on either side of an edge has to find solid particles of its own side; one beyond the edge, outside of the solid, would hold
 // the liquid a spacing off the other side.
-TEST(Sampling, sharpEdgesBelongToBothSidesAndNothingStandsOutOfThem)
+TEST(Sampling, SharpEdgesBelongToBothSidesAndNothingStandsOutOfThem)
 {
     for (const double degrees : {20.0, 30.0, 45.0, 60.0, 68.0, 90.0})
     {
@@ -187,12 +187,12 @@ TEST(Sampling, sharpEdgesBelongToBothSidesAndNothingStandsOutOfThem)
     }
 }
 
-TEST(Sampling, thinPlateIsCoveredByParticlesThatBothSidesShare)
+TEST(Sampling, ThinPlateIsCoveredByParticlesThatBothSidesShare)
 {
     expectGoodCover(sample(plate(0.6)).quality);
 }
 
-TEST(ThinSolid, platesAndRodsThinnerThanTwoSpacingsAreFound)
+TEST(ThinSolid, PlatesAndRodsThinnerThanTwoSpacingsAreFound)
 {
     for (const double thickness : {0.01, 0.3, 0.6, 1.0, 1.2, 1.7, 1.99})
     {
@@ -208,7 +208,7 @@ TEST(ThinSolid, platesAndRodsThinnerThanTwoSpacingsAreFound)
     ASSERT_TRUE(findThinPlace(rod, 1));
 }
 
-TEST(ThinSolid, blocksEdgesAndSheetsAreNotThin)
+TEST(ThinSolid, BlocksEdgesAndSheetsAreNotThin)
 {
     for (const PatchedSurface& surface : {cube(12), sphere(6, 3), rectangle(20, 20), plate(2), plate(2.5), wedge(30), wedge(60)})
     {
@@ -223,7 +223,7 @@ std::vector<Tip> tipsOf(const PatchedSurface& surface)
     return findTips(SurfaceGeometry(surface), SurfaceDistance(surface.mesh), 1);
 }
 
-TEST(ThinSolid, tipsOfConesAreFoundWhereTheyAre)
+TEST(ThinSolid, TipsOfConesAreFoundWhereTheyAre)
 {
     for (const double degrees : {20, 30, 45, 60, 65})
     {
@@ -239,7 +239,7 @@ TEST(ThinSolid, tipsOfConesAreFoundWhereTheyAre)
     }
 }
 
-TEST(Sampling, tipsGetARingAndNothingAboveIt)
+TEST(Sampling, TipsGetARingAndNothingAboveIt)
 {
     for (const double degrees : {30, 45, 60})
     {
@@ -281,7 +281,7 @@ PatchedSurface discOfSlivers(int slivers)
     return surface;
 }
 
-TEST(ThinSolid, manySliversTakeNoLongerThanTheirAreaDoes)
+TEST(ThinSolid, ManySliversTakeNoLongerThanTheirAreaDoes)
 {
     const auto secondsFor = [](int slivers)
     {
@@ -292,7 +292,7 @@ TEST(ThinSolid, manySliversTakeNoLongerThanTheirAreaDoes)
     EXPECT_LT(secondsFor(1000), 5);         // 0.1 s as a rule, 28 s where each sliver sends rays through all others
 }
 
-TEST(Slivers, areLeftOutAndSaid)
+TEST(Slivers, AreLeftOutAndSaid)
 {
     std::vector<std::string> report;
     PatchedSurface surface = joined(rectangle(30, 30), moved(sliver(0.05), Vector3(50, 0, 0)));
@@ -303,7 +303,7 @@ TEST(Slivers, areLeftOutAndSaid)
     EXPECT_TRUE(holds(report.front(), {"1 sliver ", "left out", "(50 0 0)"}));
 }
 
-TEST(Slivers, aloneTheyAreRefusedByName)
+TEST(Slivers, AloneTheyAreRefusedByName)
 {
     for (const double height : {0.3, 0.05, 1e-3})
     {
@@ -313,7 +313,7 @@ TEST(Slivers, aloneTheyAreRefusedByName)
     }
 }
 
-TEST(Slivers, aFineMeshOfSingleTrianglesStays)
+TEST(Slivers, AFineMeshOfSingleTrianglesStays)
 {
     PatchedSurface soup = soupOf(sphere(3, 4));         // triangles of 0.3 spacings
     const std::size_t faces = soup.mesh.faces.size();
@@ -324,7 +324,7 @@ TEST(Slivers, aFineMeshOfSingleTrianglesStays)
 }
 
 // A hole as wide as the sheet would be closed by its own back: a solid without thickness, whose layers meet nowhere.
-TEST(SurfaceRepair, theOutlineOfAFlatSheetIsNoHole)
+TEST(SurfaceRepair, TheOutlineOfAFlatSheetIsNoHole)
 {
     for (const PatchedSurface& sheet : {rectangle(2, 1), sliver(1)})
     {
@@ -335,7 +335,7 @@ TEST(SurfaceRepair, theOutlineOfAFlatSheetIsNoHole)
     }
 }
 
-TEST(Sampling, facesThatLieOnEachOtherHaveNoRowBetweenThem)
+TEST(Sampling, FacesThatLieOnEachOtherHaveNoRowBetweenThem)
 {
     PatchedSurface folded = joined(rectangle(20, 20), turnedOver(rectangle(20, 20)));
     folded.mesh.faces[2] = {0, 2, 1};
@@ -344,13 +344,13 @@ TEST(Sampling, facesThatLieOnEachOtherHaveNoRowBetweenThem)
     for (const Vector3& x : sample(folded).particles.positions) ASSERT_TRUE(std::isfinite(squaredLength(x)));
 }
 
-TEST(Sampling, sameInputGivesTheSameParticles)
+TEST(Sampling, SameInputGivesTheSameParticles)
 {
     const PatchedSurface ball = sphere(6, 3);
     EXPECT_EQ(sample(ball).particles.positions, sample(ball).particles.positions);
 }
 
-TEST(Sampling, patchesAreKept)
+TEST(Sampling, PatchesAreKept)
 {
     PatchedSurface surface = rectangle(20, 20);
     surface.patches = {"left", "right"};
@@ -362,7 +362,7 @@ TEST(Sampling, patchesAreKept)
     EXPECT_NEAR(double(right), 0.5*sampled.quality.count, 28);
 }
 
-TEST(SurfaceRepair, soupBecomesAClosedMesh)
+TEST(SurfaceRepair, SoupBecomesAClosedMesh)
 {
     const RepairedSurface repaired = repairSurface(soupOf(cube(10)), 8, "cube.stl");
     EXPECT_EQ(repaired.surface.mesh.vertices.size(), 8u);
@@ -370,7 +370,7 @@ TEST(SurfaceRepair, soupBecomesAClosedMesh)
     EXPECT_TRUE(repaired.report.empty());
 }
 
-TEST(SurfaceRepair, defectsAreMendedAndSaid)
+TEST(SurfaceRepair, DefectsAreMendedAndSaid)
 {
     PatchedSurface dirty = cube(10);
     std::swap(dirty.mesh.faces[3][0], dirty.mesh.faces[3][1]);      // flipped
@@ -390,7 +390,7 @@ TEST(SurfaceRepair, defectsAreMendedAndSaid)
     );
 }
 
-TEST(SurfaceRepair, smallHolesAreClosedAndLargeBordersLeftOpen)
+TEST(SurfaceRepair, SmallHolesAreClosedAndLargeBordersLeftOpen)
 {
     PatchedSurface ball = sphere(10, 3);
     const double volume = ball.mesh.volume();
@@ -407,7 +407,7 @@ TEST(SurfaceRepair, smallHolesAreClosedAndLargeBordersLeftOpen)
     EXPECT_FALSE(open.closed);
 }
 
-TEST(SurfaceRepair, cracksAlongAFinerFaceAreJoined)
+TEST(SurfaceRepair, CracksAlongAFinerFaceAreJoined)
 {
     const RepairedSurface repaired = repairSurface(soupOf(crackedBox()), 4, "cracked.stl");
     ASSERT_EQ(repaired.report.size(), 2u);
@@ -421,7 +421,7 @@ TEST(SurfaceRepair, cracksAlongAFinerFaceAreJoined)
     EXPECT_TRUE(repairSurface(repaired.surface, 4, "again.stl").report.empty());
 }
 
-TEST(SurfaceRepair, shellsThatCrossAreUnited)
+TEST(SurfaceRepair, ShellsThatCrossAreUnited)
 {
     const RepairedSurface repaired = repairSurface
     (
@@ -432,7 +432,7 @@ TEST(SurfaceRepair, shellsThatCrossAreUnited)
     EXPECT_NEAR(repaired.surface.mesh.volume(), 64 + 64 - 8, 1e-12*120);     // constructed in double precision
 }
 
-TEST(SurfaceRepair, aShellThatCrossesItselfLosesItsInside)
+TEST(SurfaceRepair, AShellThatCrossesItselfLosesItsInside)
 {
     const PatchedSurface eight = tube([](double t)
     {
@@ -449,7 +449,7 @@ TEST(SurfaceRepair, aShellThatCrossesItselfLosesItsInside)
     EXPECT_TRUE(repairSurface(repaired.surface, 1, "again.stl").report.empty());
 }
 
-TEST(SurfaceRepair, solidsThatShareAnEdgeAreCutApartAndDoNotCross)
+TEST(SurfaceRepair, SolidsThatShareAnEdgeAreCutApartAndDoNotCross)
 {
     const RepairedSurface repaired =
         repairSurface(soupOf(joined(box({0, 0, 0}, {4, 4, 4}), box({4, 4, 0}, {8, 8, 4}))), 1, "boxes.stl");
@@ -459,7 +459,7 @@ TEST(SurfaceRepair, solidsThatShareAnEdgeAreCutApartAndDoNotCross)
     EXPECT_DOUBLE_EQ(repaired.surface.mesh.volume(), 128);
 }
 
-TEST(SurfaceRepair, aFaceThatTwoSolidsShareGoes)
+TEST(SurfaceRepair, AFaceThatTwoSolidsShareGoes)
 {
     const auto expectOneBlock = [](const RepairedSurface& repaired, double volume, double area)
     {
@@ -491,21 +491,21 @@ TEST(SurfaceRepair, aFaceThatTwoSolidsShareGoes)
     expectOneBlock(repairSurface(joined(cube(10), small), 8, "blocks.stl"), 1064, 664);
 }
 
-TEST(SurfaceRepair, aSheetThatIsThereTwiceStaysOnce)
+TEST(SurfaceRepair, ASheetThatIsThereTwiceStaysOnce)
 {
     const PatchedSurface sheet = rectangle(10, 10);
     const RepairedSurface repaired = repairSurface(joined(sheet, turnedOver(sheet)), 2, "sheet.stl");
     EXPECT_DOUBLE_EQ(repaired.surface.mesh.area(), 100);
 }
 
-TEST(SurfaceRepair, aTankKeepsItsNormalsInwards)
+TEST(SurfaceRepair, ATankKeepsItsNormalsInwards)
 {
     PatchedSurface tank = cube(10);
     for (auto& face : tank.mesh.faces) std::swap(face[0], face[1]);
     EXPECT_DOUBLE_EQ(repairSurface(soupOf(tank), 8, "tank.stl").surface.mesh.volume(), -1000);
 }
 
-TEST(SurfaceRepair, nothingLeftIsRefused)
+TEST(SurfaceRepair, NothingLeftIsRefused)
 {
     PatchedSurface line = rectangle(10, 0);
     EXPECT_TRUE(holds(messageOf([&] { repairSurface(line, 8, "line.stl"); }), {"line.stl", "degenerate"}));
