@@ -24,11 +24,6 @@ constexpr std::array colours
     "#9acd32", "#404040"
 };
 
-bool drawable(const SpeedAccuracyPoint& point)
-{
-    return std::isfinite(point.cost) && std::isfinite(point.error) && point.cost > 0;
-}
-
 std::string axisOf(const std::string& cost)
 {
     if (cost == "particleSteps") return "particle-steps for one simulated second";
@@ -64,7 +59,7 @@ struct Parts
 std::vector<SpeedAccuracyPoint> drawn(const std::vector<SpeedAccuracyPoint>& points, const std::function<bool(const SpeedAccuracyPoint&)>& wanted)
 {
     std::vector<SpeedAccuracyPoint> result;
-    std::ranges::copy_if(points, std::back_inserter(result), [&](const SpeedAccuracyPoint& point) { return drawable(point) && wanted(point); });
+    std::ranges::copy_if(points, std::back_inserter(result), [&](const SpeedAccuracyPoint& point) { return point.isDrawable() && wanted(point); });
     std::ranges::sort(result, {}, &SpeedAccuracyPoint::cost);
     return result;
 }
@@ -194,7 +189,7 @@ void drawPoints
     const std::vector<SpeedAccuracyPoint>& points, const std::string& foot
 )
 {
-    if (std::none_of(points.begin(), points.end(), drawable))
+    if (std::ranges::none_of(points, &SpeedAccuracyPoint::isDrawable))
     {
         std::cout << "Leaving out the chart: no point has both an error and a cost\n";
         return;

@@ -37,6 +37,11 @@ double numberIn(const RunOutcome& outcome, const std::string& column)
 
 }
 
+bool SpeedAccuracyPoint::isDrawable() const
+{
+    return std::isfinite(cost) && std::isfinite(error) && cost > 0;
+}
+
 SpeedAccuracy::SpeedAccuracy(const Study& study, const std::string& wantedCost)
 :
     title(study.dict.lookupOr("title", study.name)),
@@ -149,7 +154,7 @@ void SpeedAccuracy::findLines(std::vector<SpeedAccuracyPoint>& points) const
     std::map<std::string, std::map<std::vector<std::string>, std::vector<SpeedAccuracyPoint*>>> lines;    // by series, by setting
     for (SpeedAccuracyPoint& point : points)
     {
-        if (!std::isfinite(point.cost) || !std::isfinite(point.error) || point.cost <= 0) continue;
+        if (!point.isDrawable()) continue;
         std::vector<std::string> setting;
         for (std::size_t i = 0; i < point.choices.size(); ++i)
         {
