@@ -16,6 +16,7 @@ set(SHIZUKU_STUDY_SOURCES
     study/RunCost.C
     study/RunOrigin.C
     study/RunReason.C
+    study/SolverLog.C
     study/Stability.C
     study/Study.C
     study/StudyCase.C

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/RunCost.H"
 
-#include "core/dictionary/Dictionary.H"
 #include "core/time/PostProcessing.H"
+#include "study/SolverLog.H"
 
 #include <fstream>
 #include <limits>
@@ -54,8 +54,7 @@ void readLog(const std::filesystem::path& log, RunCost& cost)
 RunCost runCost(const std::filesystem::path& casePath, const std::string& functionObject)
 {
     RunCost cost{unknown, unknown, unknown, unknown, unknown};
-    const Dictionary control = Dictionary::read(casePath/"system/controlDict");
-    readLog(casePath/("log." + control.lookupOr("application", std::string("pbfDroplet"))), cost);
+    readLog(solverLog(casePath), cost);
     cost.particleSteps = cost.particles/cost.subStep;
     if (!std::filesystem::is_directory(casePath/"postProcessing"/functionObject)) return cost;
 

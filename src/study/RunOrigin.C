@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/RunOrigin.H"
 
-#include "core/dictionary/Dictionary.H"
+#include "study/SolverLog.H"
 
 #include <fstream>
 #include <regex>
@@ -14,8 +14,7 @@ RunOrigin runOrigin(const std::filesystem::path& casePath)
 {
     static const std::regex first("Shizuku (\\S+), (\\w+ +\\d+ \\d+) .*"), device("Device : \\w+, ([^,]*).*");
     constexpr int head = 20;
-    const Dictionary control = Dictionary::read(casePath/"system/controlDict");
-    std::ifstream stream(casePath/("log." + control.lookupOr("application", std::string("pbfDroplet"))));
+    std::ifstream stream(solverLog(casePath));
     RunOrigin origin;
     std::smatch match;
     std::string line;
