@@ -3,12 +3,10 @@
 
 #include "device/Algorithms.H"
 #include "device/ForEach.H"
-#include "device/Gather.H"
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
-#include <numeric>
+#include <utility>
 
 namespace shizuku
 {
@@ -17,6 +15,14 @@ namespace
 {
 
 using IndexList = std::vector<std::uint32_t>;
+
+struct Choose
+{
+    Span<const std::uint32_t> of, places;
+    Span<std::uint32_t> chosen;
+
+    HOST_DEVICE void operator()(int k) const { chosen[k] = of[int(places[k])]; }
+};
 
 struct NotOfPart
 {
@@ -32,143 +38,90 @@ struct NotOfPart
     }
 };
 
-struct SeenBy
+// A particle that another part owns next, and the row that it is in.
+struct Leaver
 {
-    CellGridView grid;
-    RowCut cut;
-    int part, rows;
-    Span<const Position> x;
-    Span<std::uint8_t> is;
-
-    HOST_DEVICE void operator()(int i) const { is[i] = cut.sees(part, cut.rowOf(grid.cellPlace(x[i])), rows); }
+    std::uint32_t index, row;
 };
 
-struct RowsOfSome
+struct FindLeaver
 {
     CellGridView grid;
     RowCut cut;
     Span<const std::uint32_t> index;
     Span<const Position> x;
-    Span<std::uint32_t> row;
+    Span<Leaver> leaver;
 
-    HOST_DEVICE void operator()(int k) const { row[k] = std::uint32_t(cut.rowOf(grid.cellPlace(x[int(index[k])]))); }
-};
-
-// Particles for other parts: those of one part behind those of another, and how many these are.
-struct Lists
-{
-    IndexList indices;
-    std::vector<int> counts;
-
-    explicit Lists(const std::vector<IndexList>& ofParts)
+    HOST_DEVICE void operator()(int k) const
     {
-        for (const IndexList& of : ofParts)
-        {
-            indices.insert(indices.end(), of.begin(), of.end());
-            counts.push_back(int(of.size()));
-        }
+        const std::uint32_t i = index[k];
+        leaver[k] = {i, std::uint32_t(cut.rowOf(grid.cellPlace(x[int(i)])))};
     }
 };
 
-// For each part the values of its particles, of one field behind the other.
+// Whether other parts see what is in one's rows.
+struct SeenByOthers
+{
+    CellGridView grid;
+    RowCut cut;
+    OwnRows own;
+    bool areBelow, areAbove;                    // others
+    int rows;
+    Span<const Position> x;
+    Span<std::uint8_t> is;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const int row = cut.rowOf(grid.cellPlace(x[i]));
+        is[i] = (areBelow && row < own.low + rows) || (areAbove && row >= own.high - rows);
+    }
+};
+
+// Those that one part sees: in lists of neighbours, or beyond.
+struct SeenBy
+{
+    static constexpr int nextRow = 1;           // what lists have lies there at most: cells are as wide as their support
+
+    CellGridView grid;
+    RowCut cut;
+    int part, rows;
+    bool inLists;
+    Span<const std::uint32_t> index;
+    Span<const Position> x;
+    Span<std::uint8_t> is;
+
+    HOST_DEVICE void operator()(int k) const
+    {
+        const int row = cut.rowOf(grid.cellPlace(x[int(index[k])]));
+        is[k] = cut.sees(part, row, nextRow) ? inLists : !inLists && cut.sees(part, row, rows);
+    }
+};
+
 template<class Wanted>
-std::vector<Bytes> packed(const FieldRegistry& fields, const Lists& lists, const Wanted& wanted)
+Columns columnsOf(FieldRegistry& fields, const Wanted& wanted)
 {
-    std::vector<Bytes> bytes(lists.counts.size());
-    if (lists.indices.empty()) return bytes;
-    const Buffer<std::uint32_t> index(lists.indices);
+    Columns columns;
     for (const auto& entry : fields.entries())
     {
-        if (!wanted(entry->info)) continue;
-        std::visit
-        (
-            [&]<class T>(const Buffer<T>& field)
-            {
-                Buffer<T> values;
-                gather(field, index, values);
-                const std::vector<T> host = values.download();
-                const auto* next = reinterpret_cast<const std::byte*>(host.data());
-                for (std::size_t k = 0; k < bytes.size(); ++k)
-                {
-                    const auto* const end = next + lists.counts[k] * sizeof(T);
-                    bytes[k].insert(bytes[k].end(), next, end);
-                    next = end;
-                }
-            },
-            entry->values
-        );
+        if (wanted(entry->info)) std::visit([&](auto& field) { columns.push_back(valuesOf(field)); }, entry->values);
     }
-    return bytes;
-}
-
-// Bytes of a particle in what is packed.
-template<class Wanted>
-std::size_t bytesOf(const FieldRegistry& fields, const Wanted& wanted)
-{
-    std::size_t bytes = 0;
-    for (const auto& entry : fields.entries())
-    {
-        if (wanted(entry->info)) std::visit([&]<class T>(const Buffer<T>&) { bytes += sizeof(T); }, entry->values);
-    }
-    return bytes;
-}
-
-// Puts the packed particles of all parts into the fields, by part.
-template<class Wanted, class Put>
-void unpack(FieldRegistry& fields, const std::vector<Bytes>& bytes, const std::vector<int>& counts, const Wanted& wanted, const Put& put)
-{
-    const int all = std::accumulate(counts.begin(), counts.end(), 0);
-    if (all == 0) return;
-    std::size_t before = 0;                     // bytes of a particle in the fields before
-    for (const auto& entry : fields.entries())
-    {
-        if (!wanted(entry->info)) continue;
-        std::visit
-        (
-            [&]<class T>(Buffer<T>& field)
-            {
-                std::vector<T> values(all);
-                T* next = values.data();
-                for (std::size_t k = 0; k < bytes.size(); next += counts[k++])
-                {
-                    if (counts[k] > 0) std::memcpy(next, bytes[k].data() + counts[k] * before, counts[k] * sizeof(T));
-                }
-                put(values, field);
-                before += sizeof(T);
-            },
-            entry->values
-        );
-    }
-}
-
-std::vector<int> countsOf(const std::vector<Bytes>& bytes, std::size_t each)
-{
-    std::vector<int> counts;
-    for (const Bytes& of : bytes) counts.push_back(int(of.size() / each));
-    return counts;
+    return columns;
 }
 
 bool moves(const FieldInfo& info) { return info.sorted; }
+bool isExchanged(const FieldInfo& info) { return info.exchanged; }
 
-// Values of particles `from` become those of particles `to`.
-void move(FieldRegistry& fields, const IndexList& from, const IndexList& to)
+// Records on the host, of particles that go to each part.
+std::vector<Bytes> byPart(const RowCut& cut, const std::byte* records, std::size_t record, const std::vector<Leaver>& leavers)
 {
-    if (from.empty()) return;
-    const Buffer<std::uint32_t> source(from), target(to);
-    for (const auto& entry : fields.entries())
+    std::vector<Bytes> result(cut.parts);
+    for (const Leaver& leaver : leavers)
     {
-        if (!entry->info.sorted) continue;
-        std::visit
-        (
-            [&]<class T>(Buffer<T>& field)
-            {
-                Buffer<T> values;
-                gather(field, source, values);
-                scatter(values, target, field);
-            },
-            entry->values
-        );
+        Bytes& of = result[cut.partOf(int(leaver.row))];
+        of.insert(of.end(), records, records + record);
+        records += record;
     }
+    return result;
 }
 
 // Where those who come are put: into the places of those who left, then behind the others. What is left of these places is filled from behind; the order
@@ -198,6 +151,24 @@ struct Places
     }
 };
 
+// Puts the particles of these records into their places, and fills those that are left.
+void put(FieldRegistry& fields, const Bytes& records, const Places& places)
+{
+    const Columns columns = columnsOf(fields, moves);
+    const int moved = int(places.from.size());
+    IndexList lists = places.come;
+    lists.insert(lists.end(), places.from.begin(), places.from.end());
+    lists.insert(lists.end(), places.to.begin(), places.to.end());
+    const Buffer<std::uint32_t> indices(lists);
+    const auto list = [&](std::size_t first, int n) { return Span<const std::uint32_t>{indices.span().data + first, n}; };
+    RecordMemory memory(RecordLine::countFor(std::max(records.size(), moved * recordOf(columns))));
+    std::byte* const bytes = reinterpret_cast<std::byte*>(memory.span().data);
+    if (!records.empty()) device::copyToDevice(bytes, records.data(), records.size());
+    unpack(bytes, list(0, int(places.come.size())), columns);
+    pack(columns, list(places.come.size(), moved), bytes);
+    unpack(bytes, list(places.come.size() + moved, moved), columns);
+}
+
 }
 
 template<class Is>
@@ -216,56 +187,85 @@ int PartsOfLiquid::choose(const Is& is, Buffer<std::uint8_t>& chosen)
     return count;
 }
 
-PartsOfLiquid::Leaving PartsOfLiquid::leaving(const Liquid& liquid, const CellGridView& grid)
-{
-    Buffer<std::uint8_t> is(liquid.owned());
-    const int count = choose(NotOfPart{grid, cut_.rowsOf(liquid.parts().part()), liquid.predicted.span(), is.span()}, is);
-    Leaving leaving;
-    leaving.indices.resize(count);
-    selection_.indices.download(leaving.indices.data(), count);
-    Buffer<std::uint32_t> rows(count);
-    forEach(count, RowsOfSome{grid, cut_, selection_.indices.span(), liquid.predicted.span(), rows.span()});
-    leaving.rows = rows.download();
-    return leaving;
-}
-
 void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid)
 {
-    const Leaving leave = leaving(liquid, grid);
-    std::vector<IndexList> byPart(cut_.parts);
-    for (std::size_t k = 0; k < leave.indices.size(); ++k) byPart[cut_.partOf(int(leave.rows[k]))].push_back(leave.indices[k]);
+    const Span<const Position> x = std::as_const(liquid.predicted).span();
+    Buffer<std::uint8_t> is(liquid.owned());
+    const int count = choose(NotOfPart{grid, cut_.rowsOf(liquid.parts().part()), x, is.span()}, is);
 
+    // Records, and behind them who it is: one copy to the host.
     FieldRegistry& fields = liquid.fields();
-    const std::vector<Bytes> from = liquid.parts().exchange(packed(fields, Lists(byPart), moves));
-    const std::vector<int> counts = countsOf(from, bytesOf(fields, moves));
-    const Places places(liquid.owned(), leave.indices, std::accumulate(counts.begin(), counts.end(), 0));
+    const Columns columns = columnsOf(fields, moves);
+    const std::size_t record = recordOf(columns), ofRecords = count * record, ofLeavers = count * sizeof(Leaver);
+    RecordMemory taken(RecordLine::countFor(ofRecords + ofLeavers));
+    std::byte* const records = reinterpret_cast<std::byte*>(taken.span().data);
+    const Span<const std::uint32_t> indices{selection_.indices.span().data, count};
+    pack(columns, indices, records);
+    forEach(count, FindLeaver{grid, cut_, indices, x, {reinterpret_cast<Leaver*>(records + ofRecords), count}});
+    const std::vector<RecordLine> lines = taken.download();
+    const auto* const gone = reinterpret_cast<const std::byte*>(lines.data());
+    std::vector<Leaver> leavers(count);
+    if (count > 0) std::memcpy(leavers.data(), gone + ofRecords, ofLeavers);
+
+    Bytes come;
+    for (const Bytes& from : liquid.parts().exchange(byPart(cut_, gone, record, leavers))) come.insert(come.end(), from.begin(), from.end());
+    if (come.empty() && count == 0) return;
+    IndexList left;
+    for (const Leaver& leaver : leavers) left.push_back(leaver.index);
+    const Places places(liquid.owned(), std::move(left), int(come.size() / record));
     if (places.owned > liquid.owned()) liquid.resize(places.owned);
-    const Buffer<std::uint32_t> come(places.come);
-    unpack(fields, from, counts, moves, [&]<class T>(const std::vector<T>& values, Buffer<T>& field) { scatter(Buffer<T>(values), come, field); });
-    move(fields, places.from, places.to);
+    put(fields, come, places);
     if (places.owned < liquid.owned()) liquid.resize(places.owned);
 }
 
 void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGridView& grid, int rows)
 {
     const int part = liquid.parts().part(), owned = liquid.owned();
+    const Span<const Position> x = std::as_const(liquid.predicted).span();
     Buffer<std::uint8_t> is(owned);
-    Buffer<std::uint32_t> sent;
-    std::vector<int> counts(cut_.parts);
+    const int all = choose(SeenByOthers{grid, cut_, cut_.rowsOf(part), part > 0, part + 1 < cut_.parts, rows, x, is.span()}, is);
+    const Span<const std::uint32_t> seen{selection_.indices.span().data, all};
+
+    // All are asked for before the first is waited for.
+    struct List
+    {
+        int part;
+        bool inLists;
+        Selection places;
+        int count;
+    };
+    std::vector<List> lists;
+    is.resizeDiscarding(all);
     for (int other = 0; other < cut_.parts; ++other)
     {
         if (other == part || !cut_.seesOf(other, part, rows)) continue;
-        const int before = sent.size(), count = choose(SeenBy{grid, cut_, other, rows, liquid.predicted.span(), is.span()}, is);
-        sent.resize(before + count);
-        if (count > 0) device::copyOnDevice(sent.span().data + before, selection_.indices.span().data, count * sizeof(std::uint32_t));
-        counts[other] = count;
+        for (const bool inLists : {true, false})
+        {
+            if (counts_.size() == lists.size()) counts_.emplace_back();
+            List& list = lists.emplace_back(List{other, inLists, {}, 0});
+            forEach(all, SeenBy{grid, cut_, other, rows, inLists, seen, x, is.span()});
+            select(is, list.places, all, counts_[lists.size() - 1]);
+        }
+    }
+    std::vector<Ghosts::Seen> counts(cut_.parts);
+    int sum = 0;
+    for (std::size_t k = 0; k < lists.size(); ++k)
+    {
+        List& list = lists[k];
+        sum += list.count = int(*counts_[k].wait());
+        counts[list.part].all += list.count;
+        if (list.inLists) counts[list.part].inLists = list.count;
+    }
+    Buffer<std::uint32_t> sent(sum);
+    std::uint32_t* next = sent.span().data;
+    for (const List& list : lists)
+    {
+        forEach(list.count, Choose{seen, list.places.indices.span(), {next, list.count}});
+        next += list.count;
     }
     Ghosts& ghosts = liquid.ghosts();
-    liquid.resize(owned, ghosts.set(std::move(sent), std::move(counts), owned));
-    for (const auto& entry : liquid.fields().entries())
-    {
-        if (entry->info.exchanged) std::visit([&](auto& field) { ghosts.copy(field); }, entry->values);
-    }
+    liquid.resize(owned, ghosts.set(std::move(sent), counts, owned));
+    ghosts.copy(columnsOf(liquid.fields(), isExchanged));
 }
 
 void PartsOfLiquid::bring(Liquid& liquid, const CellGridView& grid, int rows)
