@@ -277,6 +277,21 @@ TEST_P(Parallel, AnErrorOfOneRankEndsAllWithItsMessage)
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));        // three seconds, of a busy machine
 }
 
+// Files end at 5 kB: the first half of the positions fits, the second one does not.
+TEST_P(Parallel, AShareThatCannotBeWrittenEndsAllAndLeavesNoTime)
+{
+    control("writeFormat binary;");
+    const Contents kept = contents();
+    const Outcome outcome = run
+    (
+        "mpirun --oversubscribe --allow-run-as-root --mca btl self,tcp -np 2 bash -c \"trap '' XFSZ; ulimit -f 5; exec " + command("pbfDroplet", "-parallel") + "\""
+    );
+    EXPECT_EQ(outcome.status, 1) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"Part 1 of 2: Cannot write ", "liquid/positions: File too large"}));
+    EXPECT_EQ(outcome.text.find("--> FATAL"), outcome.text.rfind("--> FATAL")) << outcome.text;
+    EXPECT_TRUE(same(kept, contents()));
+}
+
 TEST_P(Parallel, ASignalToOneRankEndsAllWithALastWrite)
 {
     control(endless);
