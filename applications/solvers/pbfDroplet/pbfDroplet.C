@@ -54,6 +54,8 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     if (isCut) liquid.ghosts().join(parts);
     setup.readParticles(time);
     if (isCut) balance.begin(liquid, near);
+    const auto cutWalls = [&] { if (isCut && !cutting.sameBits) setup.walls->cut(balance.cut().rowsOf(parts.part()), near.grid().view()); };
+    cutWalls();
     FlowView flow(time, liquid, near, *setup.walls, *setup.models);
     if (isCut) flow.cut(isFirst ? setup.emptyLiquid() : nullptr);
     if (cutting.sameBits) shareAsOf(flow.particles());
@@ -90,6 +92,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         const SubSteps steps = divideOrRefuse(time, step, setup, writer);
         time.advance();
         balance.keep(liquid, near);
+        cutWalls();
         step.make(steps);
         flow.moved(steps.dt);
         interruption = stopWhereSignalled(time, signals, parts);
