@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CaseWriter.H"
 
+#include "core/messages/Error.H"
 #include "parallel/AllParts.H"
 
+#include <exception>
 #include <system_error>
 
 namespace shizuku
@@ -10,8 +12,17 @@ namespace shizuku
 
 CaseWriter::~CaseWriter()
 {
+    if (!shared_) return;
+    try
+    {
+        background_.finish();
+    }
+    catch (const std::exception& error)
+    {
+        warning(error.what());          // another error is on its way
+    }
     std::error_code ignored;
-    if (shared_ && parts_.part() == 0) std::filesystem::remove_all(shared_->folder, ignored);
+    if (parts_.part() == 0) std::filesystem::remove_all(shared_->folder, ignored);
 }
 
 void CaseWriter::write(Time& time, FlowView& flow, const CaseChanges& changes, FunctionObjects& functions)
