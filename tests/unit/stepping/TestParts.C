@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fstream>
@@ -45,7 +46,7 @@ CaseText textOf(const Scene& scene)
         return text;
     }
     text.walls = sampledFloor;
-    text.solidPositions = latticeBlock(31, 31, 1, 0.8f, {-12, -12, -0.5f});
+    text.solidPositions = latticeBlock(31, 91, 1, 0.8f, {-12, -36, -0.5f});       // so long that parts hold some of them
     text.solidTheta.assign(text.solidPositions.size(), 60);
     return text;
 }
@@ -115,6 +116,8 @@ public:
         return states;
     }
 
+    int heldSolid() const { return walls.view(liquid).particles.position.size; }
+
     std::filesystem::path writeOutlets(const std::string& text) const
     {
         folder.write("constant/outlets", text);
@@ -130,6 +133,7 @@ struct Cut
     std::vector<State> states;
     int mostMoved = 0;                  // particles that came to a part, or left it, in a step
     int withLiquid = 0;                 // parts, in the end
+    int mostSolid = 0;                  // particles that a part holds
 };
 
 Cut runCut(const Scene& scene, const RowCut& cut)
@@ -143,6 +147,7 @@ Cut runCut(const Scene& scene, const RowCut& cut)
         if (parts.part() > 0) drop.liquid.resize(0);            // the first search brings them what is theirs
         drop.liquid.ghosts().join(parts);
         drop.near.cut(cut);
+        drop.walls.cut(cut.rowsOf(parts.part()), drop.near.grid().view());
         drop.models->refuseParts();
         const std::vector<State> own = drop.run(scene.steps);
         const std::lock_guard lock(mutex);
@@ -157,6 +162,7 @@ Cut runCut(const Scene& scene, const RowCut& cut)
             result.mostMoved = std::max(result.mostMoved, moved);
         }
         result.withLiquid += !own.back().empty();
+        result.mostSolid = std::max(result.mostSolid, drop.heldSolid());
     });
     return result;
 }
@@ -186,6 +192,10 @@ void expectSameBits(const Scene& scene, std::initializer_list<int> counts)
         SCOPED_TRACE(scene.set + ", parts " + std::to_string(parts));
         const Cut cut = runCut(scene, cutEvenly(rows, parts, scene.acrossZ));
         EXPECT_GT(cut.mostMoved, 0);
+        if (scene.sampled)
+        {
+            EXPECT_LT(cut.mostSolid, whole.heldSolid());
+        }
         EXPECT_GE(cut.withLiquid, parts - 1);       // the last row may have lost its particles: a part without any is none that fails
         for (std::size_t k = 0; k < states.size(); ++k)
         {
@@ -239,6 +249,23 @@ TEST(TestParts, OutletsTakeOutTheSame)
     EXPECT_LT(behind, before);
     EXPECT_EQ(double(before - behind), drop.liquid.numbers().at(Outlets::numberOf("out")));
     expectSameBits(scene, {3});
+}
+
+// Rows far from the liquid, then its own: what was let go of is there again, with the same bits.
+TEST(TestParts, SolidParticlesAreThoseOfTheRows)
+{
+    const Scene scene{"default", "", true, false, 2};
+    CutDrop whole(scene), part(scene);
+    const SharedAsOf all(whole.liquid.owned());
+    const std::vector<int> rows = part.rows(false);
+    const auto [low, high] = std::minmax_element(rows.begin(), rows.end());
+    part.walls.cut({*high + 12, *high + 13}, part.near.grid().view());
+    part.walls.search(part.liquid);
+    EXPECT_LT(part.heldSolid(), whole.heldSolid() / 2);
+    part.walls.cut({*low, *high + 1}, part.near.grid().view());
+    EXPECT_EQ(differing(part.run(scene.steps).back(), whole.run(scene.steps).back()), 0);
+    EXPECT_LT(part.heldSolid(), whole.heldSolid());
+    EXPECT_EQ(part.walls.particles(), whole.walls.particles());
 }
 
 TEST(TestParts, ModelsThatReadNeighboursWithoutGhostsAreRefused)
