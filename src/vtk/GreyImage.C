@@ -28,7 +28,7 @@ namespace
 
 [[noreturn]] void refuseDamaged(const std::filesystem::path& file, const std::string& how)
 {
-    refuse(file, "The image is damaged: " + how);
+    refuse(file, "The image is damaged, or too large: " + how);
 }
 
 // What the reader complains of goes into a message instead of to the terminal; its warnings are damage too.
