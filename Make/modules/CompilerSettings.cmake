@@ -40,7 +40,9 @@ set(SHIZUKU_TEST_FLAGS ${SHIZUKU_HOST_FLAGS} -O1 -Wno-subobject-linkage)        
 if(SHIZUKU_WERROR)
     list(APPEND SHIZUKU_HOST_FLAGS -Werror -Wno-error=invalid-pch -Wno-error=restrict -Wno-error=stringop-overflow -Wno-error=array-bounds)        # g++ 12 is wrong about strings (its bug 105651)
 endif()
+set(SHIZUKU_KERNEL_OPTIMISATION -O3)        # of the CPU's backends
 if(SHIZUKU_SANITIZE)
+    set(SHIZUKU_KERNEL_OPTIMISATION -O1)    # with sanitizers -O3 takes the compiler three times as long
     set(sanitizers ${SHIZUKU_SANITIZE})
     if(sanitizers STREQUAL ON)
         set(sanitizers address,undefined)

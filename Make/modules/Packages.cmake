@@ -70,7 +70,7 @@ endif()
 find_package(CGAL QUIET)
 find_package(VTK 9 QUIET COMPONENTS
     CommonCore CommonDataModel IOXML FiltersCore FiltersGeometry FiltersSources RenderingCore
-    RenderingOpenGL2 RenderingFreeType RenderingAnnotation ImagingCore IOImage IOGeometry IOPLY)
+    RenderingOpenGL2 RenderingFreeType RenderingAnnotation ImagingCore IOImage IOGeometry IOPLY png)
 find_package(GTest QUIET)
 find_package(benchmark QUIET)
 find_package(MPI QUIET COMPONENTS CXX)

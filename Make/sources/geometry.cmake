@@ -86,4 +86,5 @@ set(SHIZUKU_SAMPLING_SOURCES
     sampling/SurfaceSampler.C
     sampling/ThinSolid.C
     sampling/TipRings.C
+    sampling/TouchingFaces.C
 )

@@ -5,7 +5,7 @@ set(SHIZUKU_VTK_SOURCES
     vtk/GreyImage.C
     vtk/Picture.C
     vtk/PictureParts.C
-    vtk/PngChunks.C
+    vtk/PngFile.C
     vtk/PvtpFile.C
     vtk/PvtpFormat.C
     vtk/SoftShadow.C

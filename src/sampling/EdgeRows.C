@@ -80,10 +80,13 @@ void addEdgeRows(ParticleLayer& layer)
     const std::vector<Row> rows = findRows(layer);
     PointGrid grid = layer.grid(rowGap*layer.spacing());
     const auto isClear = [&](const LayerParticle& particle) { return layer.clear(particle); };
-    bool ofOther = false;
-    const auto add = [&](const Row& row, int i, const LayerParticle& particle, double gap)
+    const auto hasRoom = [&](const LayerParticle& particle, double gap)
     {
-        if (grid.anyWithin(particle.position, gap*layer.spacing())) return;
+        return !grid.anyWithin(particle.position, gap*layer.spacing());
+    };
+    bool ofOther = false;
+    const auto add = [&](const Row& row, int i, const LayerParticle& particle)
+    {
         LayerParticle added = particle;
         if (ofOther)
         {
@@ -102,7 +105,7 @@ void addEdgeRows(ParticleLayer& layer)
     {
         int i = 0;
         while (i <= row.last && !isClear(row.place(i))) ++i;
-        if (i > 0 && i <= row.last) add(row, i, row.place(i), leastGap);
+        if (i > 0 && i <= row.last && hasRoom(row.place(i), leastGap)) add(row, i, row.place(i));
     }
     for (const double gap : {rowGap, leastGap})
     {
@@ -111,7 +114,7 @@ void addEdgeRows(ParticleLayer& layer)
             for (int i = 0; i <= row.last; ++i)
             {
                 const LayerParticle particle = row.place(i);
-                if (isClear(particle)) add(row, i, particle, gap);
+                if (hasRoom(particle, gap) && isClear(particle)) add(row, i, particle);       // the second takes longer
             }
         }
     }

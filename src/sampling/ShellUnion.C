@@ -2,6 +2,7 @@
 #include "sampling/ShellUnion.H"
 
 #include "meshes/PointsInside.H"
+#include "sampling/TouchingFaces.H"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
@@ -10,7 +11,6 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <algorithm>
@@ -73,7 +73,7 @@ std::vector<RepairMesh> split(RepairMesh& mesh)
 
 bool canBeUnited(const RepairMesh& shell)
 {
-    return CGAL::is_closed(shell) && !PMP::does_self_intersect(shell) && PMP::does_bound_a_volume(shell);
+    return CGAL::is_closed(shell) && touchingFaces(shell).empty() && PMP::does_bound_a_volume(shell);
 }
 
 // a becomes the union of a and b; false and no change where CGAL cannot do it.
@@ -101,8 +101,7 @@ RepairKernel::Triangle_3 core(const RepairMesh& mesh, Face face)
 // Pairs of triangles that go through each other, or lie on each other.
 std::size_t crossingPairs(const RepairMesh& mesh)
 {
-    std::vector<std::pair<Face, Face>> touching;
-    PMP::self_intersections(mesh, std::back_inserter(touching));
+    const std::vector<std::pair<Face, Face>> touching = touchingFaces(mesh);
     return std::size_t(std::count_if(touching.begin(), touching.end(), [&](const std::pair<Face, Face>& pair)
     {
         return CGAL::do_intersect(core(mesh, pair.first), core(mesh, pair.second));
@@ -184,7 +183,7 @@ RepairMesh join(const std::vector<RepairMesh>& shells)
 
 void uniteShells(RepairMesh& mesh, std::vector<std::string>& report)
 {
-    if (!PMP::does_self_intersect(mesh)) return;
+    if (touchingFaces(mesh).empty()) return;
 
     std::vector<RepairMesh> shells = split(mesh);
     std::vector<bool> usable;

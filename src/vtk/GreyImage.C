@@ -2,7 +2,7 @@
 #include "vtk/GreyImage.H"
 
 #include "core/messages/Error.H"
-#include "vtk/PngChunks.H"
+#include "vtk/PngFile.H"
 
 #include <vtkCallbackCommand.h>
 #include <vtkExecutive.h>
@@ -10,8 +10,6 @@
 #include <vtkImageReader2.h>
 #include <vtkJPEGReader.h>
 #include <vtkNew.h>
-#include <vtkPNGReader.h>
-#include <vtkSmartPointer.h>
 
 #include <fstream>
 #include <iterator>
@@ -23,48 +21,48 @@ namespace shizuku
 namespace
 {
 
-const std::string damaged = "The image is damaged: it is not whole";
-
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& found)
 {
     throw FatalInputError({file.string(), 0}, found, "a picture, PNG or JPEG");
 }
 
-vtkSmartPointer<vtkImageReader2> readerOf(const std::filesystem::path& file)
+[[noreturn]] void refuseDamaged(const std::filesystem::path& file, const std::string& how)
 {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || !std::filesystem::is_regular_file(file)) refuse(file, "The image is missing, or cannot be read");
-    const std::string content{std::istreambuf_iterator<char>(stream), {}};
-
-    vtkSmartPointer<vtkImageReader2> reader;
-    if (content.starts_with("\xff\xd8\xff")) reader = vtkSmartPointer<vtkJPEGReader>::New();
-    else if (content.starts_with("\x89PNG")) reader = vtkSmartPointer<vtkPNGReader>::New();
-    else refuse(file, "The image is neither PNG nor JPEG");
-    if (reader->IsA("vtkPNGReader") && !isWholePng(content)) refuse(file, damaged);
-    reader->SetFileName(file.c_str());
-    return reader;
+    refuse(file, "The image is damaged, or too large: " + how);
 }
 
 // What the reader complains of goes into a message instead of to the terminal; its warnings are damage too.
-void update(vtkImageReader2& reader, const std::filesystem::path& file)
+class Complaints
 {
-    bool failed = false;
-    vtkNew<vtkCallbackCommand> observer;
-    observer->SetClientData(&failed);
-    observer->SetCallback([](vtkObject*, unsigned long, void* data, void*) { *static_cast<bool*>(data) = true; });
-    reader.AddObserver("ErrorEvent", observer);
-    reader.AddObserver("WarningEvent", observer);
-    reader.GetExecutive()->AddObserver("ErrorEvent", observer);
-    reader.Update();
-    if (failed || reader.GetErrorCode() != 0) refuse(file, damaged);
-}
+public:
+    explicit Complaints(vtkImageReader2& reader) : reader_(reader)
+    {
+        observer_->SetClientData(&any_);
+        observer_->SetCallback([](vtkObject*, unsigned long, void* data, void*) { *static_cast<bool*>(data) = true; });
+        reader.AddObserver("ErrorEvent", observer_);
+        reader.AddObserver("WarningEvent", observer_);
+        reader.GetExecutive()->AddObserver("ErrorEvent", observer_);
+    }
+    bool any() const { return any_ || reader_.GetErrorCode() != 0; }
 
-}
+private:
+    vtkImageReader2& reader_;
+    vtkNew<vtkCallbackCommand> observer_;
+    bool any_ = false;
+};
 
-GreyImage readGreyImage(const std::filesystem::path& file)
+GreyImage greyOfJpeg(const std::filesystem::path& file)
 {
-    const auto reader = readerOf(file);
-    update(*reader, file);
+    const std::string damage = "it is not whole";
+    const vtkNew<vtkJPEGReader> reader;
+    const Complaints complaints(*reader);
+    reader->SetFileName(file.c_str());
+    reader->UpdateInformation();
+    const int* const extent = reader->GetDataExtent();
+    if (complaints.any()) refuseDamaged(file, damage);
+    if ((extent[1] + 1.0)*(extent[3] + 1.0) > mostPixels) refuseDamaged(file, "it has too many pixels");
+    reader->Update();
+    if (complaints.any()) refuseDamaged(file, damage);
 
     vtkImageData& image = *reader->GetOutput();
     GreyImage result;
@@ -72,8 +70,7 @@ GreyImage readGreyImage(const std::filesystem::path& file)
     result.height = image.GetDimensions()[1];
     if (result.width < 1 || result.height < 1) refuse(file, "The image has no pixels");
     const int components = image.GetNumberOfScalarComponents();
-    const double white = image.GetScalarType() == VTK_FLOAT || image.GetScalarType() == VTK_DOUBLE
-        ? 1 : image.GetScalarTypeMax();
+    const double white = image.GetScalarTypeMax();
     result.grey.reserve(std::size_t(result.width)*result.height);
     for (int row = 0; row < result.height; ++row)
     {
@@ -86,6 +83,19 @@ GreyImage readGreyImage(const std::filesystem::path& file)
         }
     }
     return result;
+}
+
+}
+
+GreyImage readGreyImage(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || !std::filesystem::is_regular_file(file)) refuse(file, "The image is missing, or cannot be read");
+    const std::string content{std::istreambuf_iterator<char>(stream), {}};
+    if (content.starts_with("\xff\xd8\xff")) return greyOfJpeg(file);
+    if (!content.starts_with("\x89PNG")) refuse(file, "The image is neither PNG nor JPEG");
+    try { return greyOfPng(content); }
+    catch (const DamagedImage& damage) { refuseDamaged(file, damage.what()); }
 }
 
 }

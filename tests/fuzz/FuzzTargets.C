@@ -11,9 +11,12 @@
 #include "meshes/StlFile.H"
 #include "sampling/SurfaceFile.H"
 #include "study/Study.H"
+#include "vtk/PngFile.H"
 
+#include <boost/crc.hpp>
 #include <unistd.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 
@@ -60,6 +63,29 @@ void readTable(const std::string& text)
     for (const std::string& column : table.columns()) table.numbers(column);
 }
 
+// The checksums of PNG's chunks made right: mutations get no farther than to them otherwise.
+std::string withChecksums(std::string png)
+{
+    constexpr std::size_t signature = 8, frame = 12;        // length, name and checksum of a chunk
+    const auto byte = [&](std::size_t at) { return std::uint8_t(png[at]); };
+    for (std::size_t at = signature; at + frame <= png.size();)
+    {
+        const std::size_t length = std::size_t(byte(at)) << 24 | std::size_t(byte(at + 1)) << 16 | std::size_t(byte(at + 2)) << 8 | byte(at + 3);
+        if (length > png.size() - at - frame) break;
+        boost::crc_32_type checksum;
+        checksum.process_bytes(png.data() + at + 4, 4 + length);
+        for (int k = 0; k < 4; ++k) png[at + 8 + length + std::size_t(k)] = char(checksum.checksum() >> (24 - 8*k));
+        at += frame + length;
+    }
+    return png;
+}
+
+void readPng(const std::string& text)
+{
+    try { greyOfPng(withChecksums(text)); }
+    catch (const DamagedImage& damage) { throw FatalError(damage.what()); }
+}
+
 }
 
 const std::vector<FuzzTarget>& fuzzTargets()
@@ -74,7 +100,8 @@ const std::vector<FuzzTarget>& fuzzTargets()
         {"ply", [](const std::string& text) { readPly(InputFile(text, ".ply")); }},
         {"off", [](const std::string& text) { readSurface(InputFile(text, ".off"), "wall"); }},
         {"csv", readTable},
-        {"study", [](const std::string& text) { runsOf(Study::read(InputFile(text, ""))); }}
+        {"study", [](const std::string& text) { runsOf(Study::read(InputFile(text, ""))); }},
+        {"png", readPng}
     };
     return targets;
 }

@@ -46,6 +46,7 @@ void printBanner(const Arguments& args)
 int fail(const ApplicationInfo& info, const std::string& kind, const std::string& message)
 {
     std::cout.flush();
+    std::cerr.clear();          // an earlier line may have found no room
     std::cerr << "\n--> " << kind << ":\n" << message << "\n\n" << info.name << ": stopped\n";
     return EXIT_FAILURE;
 }

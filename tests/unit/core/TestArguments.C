@@ -190,4 +190,11 @@ TEST(RunApplication, TurnsEveryErrorIntoAMessageAndStatusOne)
     (
         holds(messageAfter([](const Arguments&) { throw std::out_of_range("at 3"); }), {"--> FATAL ERROR:\nat 3"})
     );
+    // An earlier line could not be written.
+    const auto failing = [](const Arguments&)
+    {
+        std::cerr.setstate(std::ios::badbit);
+        throw FatalError("No device");
+    };
+    EXPECT_TRUE(holds(messageAfter(failing), {"--> FATAL ERROR:\nNo device"}));
 }

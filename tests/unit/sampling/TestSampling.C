@@ -15,6 +15,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 #include <numeric>
 #include <tuple>
@@ -290,6 +291,42 @@ TEST(ThinSolid, ManySliversTakeNoLongerThanTheirAreaDoes)
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
     EXPECT_LT(secondsFor(1000), 5);         // 0.1 s as a rule, 28 s where each sliver sends rays through all others
+}
+
+// A sheet of so many triangles round one vertex, which goes round it twice and crosses itself in one ray, in the middle of two triangles.
+PatchedSurface doubleFan(int triangles)
+{
+    PatchedSurface surface;
+    surface.mesh.vertices = {{0, 0, 0}};
+    const double step = 4*std::numbers::pi/triangles;
+    for (int i = 0; i < triangles; ++i)
+    {
+        const double angle = (i + 0.5)*step;
+        surface.mesh.vertices.emplace_back(10*std::cos(angle), 10*std::sin(angle), 5*std::sin(angle/2));
+        surface.mesh.faces.push_back({0, 1 + i, 1 + (i + 1) % triangles});
+    }
+    surface.patch.assign(surface.mesh.faces.size(), 0);
+    surface.patches = {"fan"};
+    return surface;
+}
+
+TEST(SurfaceRepair, CrossingsRoundAVertexAreFoundHoweverManyTrianglesItHas)
+{
+    for (const int triangles : {20, 100})
+    {
+        const auto report = repairSurface(doubleFan(triangles), 0.1, "fan.obj").report;
+        EXPECT_TRUE(std::any_of(report.begin(), report.end(), [](const std::string& line)
+        {
+            return line.starts_with("1 pair of triangles that cross each other");
+        })) << triangles;
+    }
+}
+
+TEST(SurfaceRepair, ManyTrianglesRoundAVertexTakeLittleTime)
+{
+    const std::clock_t start = std::clock();
+    EXPECT_TRUE(repairSurface(discOfSlivers(4000), 0.1, "disc.obj").report.empty());
+    EXPECT_LT(double(std::clock() - start)/CLOCKS_PER_SEC, 5);      // BOUND
 }
 
 TEST(Slivers, AreLeftOutAndSaid)

@@ -10,7 +10,11 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 
+#include <boost/crc.hpp>
 #include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
 
 namespace shizuku::test
 {
@@ -35,6 +39,23 @@ void writeImage(const std::filesystem::path& file, int width, int components, co
 }
 
 using Bytes = std::vector<unsigned char>;
+
+// A PNG file of grey values of 8 bits, one chunk after the other as they are given: name and content.
+std::string pngOf(const std::vector<std::pair<std::string, std::string>>& chunks)
+{
+    const auto number = [](std::uint32_t n)
+    {
+        return std::string{char(n >> 24), char(n >> 16), char(n >> 8), char(n)};
+    };
+    std::string file = "\x89PNG\r\n\x1a\n";
+    for (const auto& [name, content] : chunks)
+    {
+        boost::crc_32_type checksum;
+        checksum.process_bytes((name + content).data(), name.size() + content.size());
+        file += number(std::uint32_t(content.size())) + name + content + number(checksum.checksum());
+    }
+    return file;
+}
 
 // A case whose constant/image.png is two pixels wide and three high, from black to white in equal steps.
 class ImageTheta : public testing::Test
@@ -122,6 +143,31 @@ TEST_F(ImageTheta, MissingAndDamagedFilesAreRefused)
     flipped[whole.size()/2] ^= 4;
     folder_.write("constant/image.png", flipped);
     EXPECT_TRUE(holds(message(), {"damaged"}));
+
+    // Checksums are right, but nothing else.
+    using namespace std::string_literals;
+    const std::string size2 = "\0\0\0\2\0\0\0\2"s, end = "", pixels = "\x78\x9c\x63\x60\0\x01\0\0\x06\0\x01"s;     // black
+    const auto header = [](const std::string& size, const std::string& kind) { return std::pair<std::string, std::string>("IHDR", size + kind); };
+    const std::string grey = "\x08\0\0\0\0"s, palette = "\x08\3\0\0\0"s, noDepth = "\7\0\0\0\0"s;
+    folder_.write("constant/image.png", pngOf({header(size2, grey), {"IDAT", pixels}, {"IEND", end}}));
+    EXPECT_EQ(message(), "no error");
+    const std::string million = "\0\x0f\x42\x40\0\x0f\x42\x40"s, thousands = "\0\0\x13\x88\0\0\x13\x88"s, none = "\0\0\0\0\0\0\0\2"s;
+    const std::vector<std::pair<std::string, std::string>> damaged
+    {
+        {pngOf({header(million, grey), {"IDAT", pixels}, {"IEND", end}}), "1000000 times 1000000 pixels are too many"},
+        {pngOf({header(thousands, grey), {"IDAT", pixels}, {"IEND", end}}), "too short for its pixels"},
+        {pngOf({header(none, grey), {"IDAT", pixels}, {"IEND", end}}), "damaged"},
+        {pngOf({header(size2, noDepth), {"IDAT", pixels}, {"IEND", end}}), "damaged"},
+        {pngOf({header(size2, palette), {"IDAT", pixels}, {"IEND", end}}), "damaged"},
+        {pngOf({header(size2, grey), {"IDAT", "abcdefgh"}, {"IEND", end}}), "damaged"},
+        {pngOf({header(size2, grey), {"IDAT", pixels.substr(0, 5)}, {"IEND", end}}), "damaged"},
+        {pngOf({header(size2, grey), {"IEND", end}}), "damaged"}
+    };
+    for (const auto& [content, reason] : damaged)
+    {
+        folder_.write("constant/image.png", content);
+        EXPECT_TRUE(holds(message(), {reason, "constant/image.png"}));
+    }
 
     writeImage<vtkJPEGWriter>(file(), 8, 3, Bytes(8*8*3, 102));
     const std::string jpeg = folder_.read("constant/image.png");
