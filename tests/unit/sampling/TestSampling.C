@@ -326,7 +326,7 @@ TEST(SurfaceRepair, ManyTrianglesRoundAVertexTakeLittleTime)
 {
     const std::clock_t start = std::clock();
     EXPECT_TRUE(repairSurface(discOfSlivers(4000), 0.1, "disc.obj").report.empty());
-    EXPECT_LT(double(std::clock() - start)/CLOCKS_PER_SEC, 5);      // BOUND
+    EXPECT_LT(double(std::clock() - start)/CLOCKS_PER_SEC, 5);      // 0.7 s as a rule; a test of each of 16 million pairs takes half a microsecond
 }
 
 TEST(Slivers, AreLeftOutAndSaid)
