@@ -8,6 +8,15 @@
 namespace shizuku::test
 {
 
+CaseText caseOnWettedFloor(bool sampled, int side)
+{
+    if (!sampled) return {.walls = floorPlane, .wettability = "floor { theta 60; }"};
+    const scalar middle = 0.4f * scalar(side - 1);
+    CaseText text = caseOnFloor(latticeBlock(side, side, 1, 0.8f, {-middle, -middle, -0.5f}));
+    text.solidTheta.assign(text.solidPositions.size(), 60);
+    return text;
+}
+
 LiquidCase::LiquidCase(const CaseText& text)
 :
     liquid(makeLiquid(text)), walls(folder.path(), 0, liquid), near(liquid), hasAngles_(!text.wettability.empty() || !text.solidTheta.empty())

@@ -35,17 +35,8 @@ struct Scene
 
 CaseText textOf(const Scene& scene)
 {
-    CaseText text;
+    CaseText text = caseOnWettedFloor(scene.sampled, 31);
     text.liquidProperties = "rho 1000; nu " + scene.nu + "; sigma 0.072;";
-    if (!scene.sampled)
-    {
-        text.walls = floorPlane;
-        text.wettability = "floor { theta 60; }";
-        return text;
-    }
-    text.walls = sampledFloor;
-    text.solidPositions = latticeBlock(31, 31, 1, 0.8f, {-12, -12, -0.5f});
-    text.solidTheta.assign(text.solidPositions.size(), 60);
     return text;
 }
 
