@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "advice/Scene.H"
 
-#include "core/angles/Degrees.H"
 #include "models/smoothing/SmoothingShare.H"
 #include "reference/CapillaryStep.H"
 
@@ -128,8 +127,8 @@ bool Scene::mayMeet() const
         const Vector3 size = body.liquid.size();
         const double now = 0.5*std::max({size.x, size.y, size.z});
         if (walls.empty() || !theta()) return now;
-        const double angle = std::max(*theta(), flattest), R = 0.5*body.liquid.diameter()*capRadius(angle);
-        return std::max(now, angle < 90 ? R*std::sin(radians(angle)) : R);
+        const double angle = std::max(*theta(), flattest), R = 0.5*body.liquid.diameter();
+        return std::max(now, R*(angle < 90 ? capFootRadius(angle) : capRadius(angle)));
     };
     const std::size_t looked = std::min(bodies.size(), mostLookedAt);
     for (std::size_t i = 0; i < looked; ++i)

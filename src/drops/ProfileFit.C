@@ -148,6 +148,16 @@ Minimum descend(const ProfileSearch& search, Unknowns u, double shortest, double
     return {u, squares};
 }
 
+// Every so many of the points, some thousands of them.
+std::vector<MeridianPoint> thinned(const std::vector<MeridianPoint>& points)
+{
+    constexpr std::size_t enough = 2000;
+    const std::size_t stride = std::max<std::size_t>(1, points.size()/enough);
+    std::vector<MeridianPoint> chosen;
+    for (std::size_t i = 0; i < points.size(); i += stride) chosen.push_back(points[i]);
+    return chosen;
+}
+
 }
 
 DropProfile ProfileFit::profile(int points) const
@@ -168,8 +178,9 @@ std::optional<ProfileFit> fitProfile(const std::vector<MeridianPoint>& points, b
     }
     if (!(widest > 0)) return std::nullopt;
 
-    // A puddle has another minimum where l is as long as the puddle is wide, which is not the least.
-    const ProfileSearch search(points, widest, hangs);
+    // A puddle has another minimum where l is as long as the puddle is wide, which is not the least. Few of the points tell which is.
+    const std::vector<MeridianPoint> few = thinned(points);
+    const ProfileSearch search(points, widest, hangs), coarse(few, widest, hangs);
     const double shortest = std::log(widest/30), longest = std::log(10*widest);        // of l
     Unknowns start{apex/widest, std::log(apexRadiusOf(points, apex, widest)), 0};
     Minimum least{{}, HUGE_VAL};
@@ -177,9 +188,10 @@ std::optional<ProfileFit> fitProfile(const std::vector<MeridianPoint>& points, b
     for (const double l : starts[hangs])
     {
         start[2] = std::log(l*widest);
-        const Minimum found = descend(search, start, shortest, longest);
+        const Minimum found = descend(coarse, start, shortest, longest);
         if (found.squares < least.squares) least = found;
     }
+    if (few.size() < points.size() && std::isfinite(least.squares)) least = descend(search, least.u, shortest, longest);
     // Next to the ends of the range the least squares are beyond it.
     constexpr double margin = 0.1;
     if (least.u[2] < shortest + margin || least.u[2] > longest - margin) return std::nullopt;

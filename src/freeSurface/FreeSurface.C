@@ -2,6 +2,7 @@
 #include "freeSurface/FreeSurface.H"
 
 #include "device/Algorithms.H"
+#include "device/Copy.H"
 #include "device/Holds.H"
 #include "device/KeptMemory.H"
 #include "freeSurface/FindContactLine.H"
@@ -15,14 +16,6 @@ namespace shizuku
 
 namespace
 {
-
-struct Copy
-{
-    Span<const std::uint32_t> from;
-    Span<std::uint32_t> to;
-
-    HOST_DEVICE void operator()(int i) const { to[i] = from[i]; }
-};
 
 // Tells the particles near the surface from those deep inside, all around which there is liquid that has liquid all around:
 // the surface is farther than the density's support.
@@ -47,7 +40,7 @@ Span<const std::uint32_t> countsOfAll(const Liquid& liquid, Span<const std::uint
 {
     if (liquid.parts().parts() == 1) return ofOwned;
     room.resizeDiscarding(liquid.all());
-    forEach(liquid.owned(), Copy{ofOwned, room.span()});
+    copyFirst(liquid.owned(), ofOwned, room);
     return room.span();
 }
 

@@ -59,6 +59,11 @@ double capRadius(double angle)
     return Cap(angle).radius;
 }
 
+double capFootRadius(double angle)
+{
+    return std::sin(radians(angle))*capRadius(angle);
+}
+
 double capCentroid(double angle)
 {
     const Cap cap(angle);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/Spreading.H"
 
-#include "core/angles/Degrees.H"
 #include "reference/CapOnWall.H"
 
 #include <cmath>
@@ -33,8 +32,7 @@ double fittedWettedShare(double time)
 
 double viscousSpreadingTime()
 {
-    constexpr double angle = 41;
-    const double final = std::sin(radians(angle))*capRadius(angle);       // of the wetted circle, over the drop's radius
+    const double final = capFootRadius(41);
     const double time = std::pow(-std::log(1 - 1/(final*final))/rate, 1/power);
     return time*std::cbrt(4*std::numbers::pi/3);                          // from V^(1/3) to R
 }

@@ -8,6 +8,14 @@
 namespace shizuku::test
 {
 
+CaseText caseOnWettedFloor(bool sampled, int alongX, int alongY)
+{
+    if (!sampled) return {.walls = floorPlane, .wettability = "floor { theta 60; }"};
+    CaseText text = caseOnFloor(latticeBlock(alongX, alongY, 1, 0.8f, {-0.4f * scalar(alongX - 1), -0.4f * scalar(alongY - 1), -0.5f}));
+    text.solidTheta.assign(text.solidPositions.size(), 60);
+    return text;
+}
+
 LiquidCase::LiquidCase(const CaseText& text)
 :
     liquid(makeLiquid(text)), walls(folder.path(), 0, liquid), near(liquid), hasAngles_(!text.wettability.empty() || !text.solidTheta.empty())

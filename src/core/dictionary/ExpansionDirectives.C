@@ -28,7 +28,7 @@ const Tree& argumentOf(const Tree& directive)
     return directive.front().second;
 }
 
-const std::string& textArgumentOf(const Tree& directive, const std::string& expected)
+const std::string& textArgumentOf(const Tree& directive, const char* expected)
 {
     const NodeData& data = argumentOf(directive).data();
     if (data.kind != NodeKind::string && data.kind != NodeKind::word && data.kind != NodeKind::verbatim)

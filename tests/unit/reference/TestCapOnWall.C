@@ -26,6 +26,8 @@ TEST(CapOnWall, EnergyOfAHalfSphereAndASphere)
     // The height of a half sphere's centroid is 3/8 of its radius.
     EXPECT_NEAR(capCentroid(90), 3*half/8, digits);
     EXPECT_NEAR(capCentroid(180), 1, digits);
+    EXPECT_NEAR(capFootRadius(90), half, digits);
+    EXPECT_NEAR(capFootRadius(180), 0, digits);
 }
 
 // The energy's first variation vanishes at Young's angle alone.

@@ -37,17 +37,8 @@ struct Scene
 
 CaseText textOf(const Scene& scene)
 {
-    CaseText text;
+    CaseText text = caseOnWettedFloor(scene.sampled, 31, 91);        // so long that parts hold some of it
     text.liquidProperties = "rho 1000; nu " + scene.nu + "; sigma 0.072;";
-    if (!scene.sampled)
-    {
-        text.walls = floorPlane;
-        text.wettability = "floor { theta 60; }";
-        return text;
-    }
-    text.walls = sampledFloor;
-    text.solidPositions = latticeBlock(31, 91, 1, 0.8f, {-12, -36, -0.5f});       // so long that parts hold some of them
-    text.solidTheta.assign(text.solidPositions.size(), 60);
     return text;
 }
 

@@ -47,26 +47,11 @@ struct Chosen
     scalar speed = 0.02f;               // scaled, along x
 };
 
-CaseText textOf(const Chosen& chosen)
-{
-    CaseText text;
-    if (!chosen.sampled)
-    {
-        text.walls = floorPlane;
-        text.wettability = "floor { theta 60; }";
-        return text;
-    }
-    text.walls = sampledFloor;
-    text.solidPositions = latticeBlock(25, 25, 1, 0.8f, {-9.6f, -9.6f, -0.5f});
-    text.solidTheta.assign(text.solidPositions.size(), 60);
-    return text;
-}
-
 // A drop of the set that falls onto a floor.
 class Drop : public LiquidCase
 {
 public:
-    explicit Drop(const Chosen& chosen) : LiquidCase(textOf(chosen)), outlets(writeOutlets(chosen.outlets), liquid), speed(chosen.speed) { choose(chosen); }
+    explicit Drop(const Chosen& chosen) : LiquidCase(caseOnWettedFloor(chosen.sampled, 25, 25)), outlets(writeOutlets(chosen.outlets), liquid), speed(chosen.speed) { choose(chosen); }
 
     // Models of another set from now on, as after a change of the dictionaries.
     void choose(const Chosen& chosen)

@@ -15,6 +15,19 @@ std::string refusalOf(const CaseText& text)
     return messageOf([&] { LiquidCase{text}; });
 }
 
+// Of each liquid particle the tangent plane, where the particle is, and which of those that were placed it is.
+struct FittedPlanes
+{
+    std::vector<Vec3> normal, point, x;
+    std::vector<std::uint32_t> id;
+};
+
+FittedPlanes fittedPlanes(const LiquidCase& drop)
+{
+    const auto view = drop.walls.view(drop.liquid).planes;
+    return {download(view.normal), download(view.point), vectors(drop.liquid.predicted), drop.liquid.id.download()};
+}
+
 }
 
 // Equation (9) by direct sums over the whole layer, its rim included. Float distances and sums: a few 1e-6 at the steep
@@ -144,11 +157,7 @@ TEST(Walls, FitThePlaneOfAFlatLayer)
             drop.place(points);
 
             const scalar d = drop.liquid.spacing();
-            const auto view = drop.walls.view(drop.liquid).planes;
-            const auto normal = download(view.normal);
-            const auto point = download(view.point);
-            const auto x = vectors(drop.liquid.predicted);
-            const auto id = drop.liquid.id.download();
+            const auto [normal, point, x, id] = fittedPlanes(drop);
             ASSERT_EQ(point.size(), points.size());
             for (std::size_t i = 0; i < points.size(); ++i)
             {
@@ -196,11 +205,7 @@ TEST(Walls, FitTangentPlanesToASampledSphere)
             drop.place(points);
 
             const scalar d = drop.liquid.spacing();
-            const auto view = drop.walls.view(drop.liquid).planes;
-            const auto normal = download(view.normal);
-            const auto point = download(view.point);
-            const auto x = vectors(drop.liquid.predicted);
-            const auto id = drop.liquid.id.download();
+            const auto [normal, point, x, id] = fittedPlanes(drop);
             for (std::size_t i = 0; i < points.size(); ++i)
             {
                 const scalar distance = norm(points[id[i]] - centre) - radius;

@@ -34,6 +34,7 @@
 //         atWalls             1;
 //     }
 
+#include "device/Copy.H"
 #include "device/Reduce.H"
 #include "maths/Simpson.H"
 #include "maths/WholeSum.H"
@@ -192,14 +193,6 @@ struct SumResidual
     }
 };
 
-struct Copy
-{
-    Span<const Vec3> from;
-    Span<Vec3> to;
-
-    HOST_DEVICE void operator()(int i) const { to[i] = from[i]; }
-};
-
 // Particles are where their velocities bring them.
 struct MoveOn
 {
@@ -311,8 +304,10 @@ private:
     // Of a slip length shorter than the spacing.
     static ContactLineDrag lineDrag(const Liquid& liquid, scalar slip, scalar nu)
     {
-        const auto table = tabulateHalfSpace(liquid.kernel());
-        const scalar ofPlane = HalfSpaceView{{table.data(), int(table.size())}, liquid.support()}(0).gradient;
+        const scalar ofPlane = std::visit([](const auto& W)         // the gradient of a half-space at its plane
+        {
+            return scalar(integrate(0, W.h, [&](double r) { return -kernels::pi * (r * r) * W.g(scalar(r)) * r; }));
+        }, liquid.kernel());
         return {nu, slip > 0 && slip < liquid.spacing() ? std::log(liquid.spacing() / slip) : 0, ofPlane};
     }
 
@@ -369,7 +364,7 @@ private:
     {
         Liquid& liquid = at.liquid;
         Buffer<Vec3> start(liquid.all());
-        forEach(liquid.owned(), Copy{std::as_const(liquid.velocity).span(), start.span()});
+        copyFirst(liquid.owned(), std::as_const(liquid.velocity).span(), start);
         for (Buffer<Vec3>* vector : {&residual_, &product_, &direction_, &ofDirection_}) vector->resizeDiscarding(liquid.all());
         const int n = liquid.owned(), held = isHeld(at.walls) ? liquid.all() : 0;
         dragDiagonal_.resizeDiscarding(held);

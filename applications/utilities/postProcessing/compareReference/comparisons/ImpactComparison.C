@@ -6,7 +6,6 @@
 // the end. spread.csv holds the trace.
 
 #include "Comparison.H"
-#include "core/angles/Degrees.H"
 #include "meshes/ConnectedPoints.H"
 #include "reference/CapOnWall.H"
 #include "reference/DropImpact.H"
@@ -46,7 +45,7 @@ public:
         }
         trace.write();
 
-        const double atRest = std::sin(radians(theta_))*capRadius(theta_);
+        const double atRest = capFootRadius(theta_);
         const double off = double(particlesOff(results));
         std::vector<ComparisonRow> rows
         {

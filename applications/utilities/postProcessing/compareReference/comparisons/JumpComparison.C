@@ -12,20 +12,14 @@
 namespace shizuku
 {
 
-class JumpComparison : public JudgedComparison
+static std::vector<ComparisonRow> compareJump(const CaseResults& results, double within)
 {
-public:
-    using JudgedComparison::JudgedComparison;
+    const auto touch = findWallTouch(results);
+    const double speed = touch && touch->last ? velocityBehind(results, *touch->last) : 0;
+    const double ofOne = results.capillarySpeed()*std::pow(2, 1.0/6);
+    return {relativeRow("speed of the jump", "capillary speeds", 0.2, speed/ofOne, within)};
+}
 
-    std::vector<ComparisonRow> compare(const CaseResults& results) const override
-    {
-        const auto touch = findWallTouch(results);
-        const double speed = touch && touch->last ? velocityBehind(results, *touch->last) : 0;
-        const double ofOne = results.capillarySpeed()*std::pow(2, 1.0/6);
-        return {relativeRow("speed of the jump", "capillary speeds", 0.2, speed/ofOne, within_)};
-    }
-};
-
-static const ComparisonTable::Add<JumpComparison> registered{"jump"};
+static const ComparisonTable::Add<PlainComparison<compareJump>> registered{"jump"};
 
 }

@@ -12,35 +12,29 @@
 namespace shizuku
 {
 
-class LaplaceComparison : public JudgedComparison
+static std::vector<ComparisonRow> compareLaplace(const CaseResults& results, double within)
 {
-public:
-    using JudgedComparison::JudgedComparison;
-
-    std::vector<ComparisonRow> compare(const CaseResults& results) const override
+    double sum = 0;
+    long count = 0;
+    for (const TimeFolder& time : results.times())
     {
-        double sum = 0;
-        long count = 0;
-        for (const TimeFolder& time : results.times())
+        const std::filesystem::path file = time.path/"liquid/p";
+        if (time.value < 0.5*results.times().back().value || !std::filesystem::exists(file)) continue;
+        const std::vector<Vector3> positions = results.positions(time);
+        const FieldData p = readField(file, FieldType::scalar, dimensions::pressure, long(positions.size()));
+        Vector3 centre{0, 0, 0};
+        for (const Vector3& x : positions) centre = centre + (1.0/double(positions.size()))*x;
+        for (std::size_t i = 0; i < positions.size(); ++i)
         {
-            const std::filesystem::path file = time.path/"liquid/p";
-            if (time.value < 0.5*results.times().back().value || !std::filesystem::exists(file)) continue;
-            const std::vector<Vector3> positions = results.positions(time);
-            const FieldData p = readField(file, FieldType::scalar, dimensions::pressure, long(positions.size()));
-            Vector3 centre{0, 0, 0};
-            for (const Vector3& x : positions) centre = centre + (1.0/double(positions.size()))*x;
-            for (std::size_t i = 0; i < positions.size(); ++i)
-            {
-                if (length(positions[i] - centre) > 0.6*results.radius()) continue;
-                sum += p(i);
-                ++count;
-            }
+            if (length(positions[i] - centre) > 0.6*results.radius()) continue;
+            sum += p(i);
+            ++count;
         }
-        const double measured = count > 0 ? sum/double(count) : std::nan("");
-        return {relativeRow("pressure jump", "Pa", 2*results.sigma/results.radius(), measured, within_)};
     }
-};
+    const double measured = count > 0 ? sum/double(count) : std::nan("");
+    return {relativeRow("pressure jump", "Pa", 2*results.sigma/results.radius(), measured, within)};
+}
 
-static const ComparisonTable::Add<LaplaceComparison> registered{"laplace"};
+static const ComparisonTable::Add<PlainComparison<compareLaplace>> registered{"laplace"};
 
 }

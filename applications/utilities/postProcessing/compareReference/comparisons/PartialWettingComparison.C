@@ -6,7 +6,7 @@
 
 #include "Comparison.H"
 #include "WettedFoot.H"
-#include "core/angles/Degrees.H"
+#include "reference/CapOnWall.H"
 #include "reference/Spreading.H"
 
 #include <cmath>
@@ -15,42 +15,35 @@
 namespace shizuku
 {
 
-class PartialWettingComparison : public JudgedComparison
+static std::vector<ComparisonRow> comparePartialWetting(const CaseResults& results, double within)
 {
-public:
-    using JudgedComparison::JudgedComparison;
+    const double radius = results.radius()*capFootRadius(41), final = std::numbers::pi*radius*radius;
+    const double unit = results.rho*results.nu*std::cbrt(results.liquidVolume())/results.sigma;       // s
+    SampledCurve area;
+    const SampledCurve foot = wettedArea(results);
+    for (const auto& [time, wetted] : foot.points()) area.add(time/unit, wetted/final);
 
-    std::vector<ComparisonRow> compare(const CaseResults& results) const override
+    const double none = std::nan("");
+    CsvFile trace = results.output("wetting.csv", {{"time", ""}, {"area", ""}, {"measured", ""}});
+    for (const auto& [time, share] : area.points()) trace.addRow({time, share, none});
+    SampledCurve theirs;
+    double sum = 0;
+    for (const WettedShare& measured : lavi2004())
     {
-        const double c = std::cos(radians(41)), s = std::sin(radians(41));
-        const double radius = results.radius()*s*std::cbrt(4/((2 + c)*(1 - c)*(1 - c))), final = std::numbers::pi*radius*radius;
-        const double unit = results.rho*results.nu*std::cbrt(results.liquidVolume())/results.sigma;       // s
-        SampledCurve area;
-        const SampledCurve foot = wettedArea(results);
-        for (const auto& [time, wetted] : foot.points()) area.add(time/unit, wetted/final);
-
-        const double none = std::nan("");
-        CsvFile trace = results.output("wetting.csv", {{"time", ""}, {"area", ""}, {"measured", ""}});
-        for (const auto& [time, share] : area.points()) trace.addRow({time, share, none});
-        SampledCurve theirs;
-        double sum = 0;
-        for (const WettedShare& measured : lavi2004())
-        {
-            theirs.add(measured.time, measured.area);
-            trace.addRow({measured.time, none, measured.area});
-            sum += std::pow(area.at(measured.time) - measured.area, 2);
-        }
-        trace.write();
-        const double rms = std::sqrt(sum/double(lavi2004().size()));
-        return
-        {
-            {"rms difference of the wetted area", "", 0, rms, rms, "", within_},
-            relativeRow("time of half of it", "", theirs.firstTime(0.5), area.firstTime(0.5), none),
-            {"last wetted area", "", 1, area.points().back().second, area.points().back().second - 1, "", none}
-        };
+        theirs.add(measured.time, measured.area);
+        trace.addRow({measured.time, none, measured.area});
+        sum += std::pow(area.at(measured.time) - measured.area, 2);
     }
-};
+    trace.write();
+    const double rms = std::sqrt(sum/double(lavi2004().size()));
+    return
+    {
+        {"rms difference of the wetted area", "", 0, rms, rms, "", within},
+        relativeRow("time of half of it", "", theirs.firstTime(0.5), area.firstTime(0.5), none),
+        {"last wetted area", "", 1, area.points().back().second, area.points().back().second - 1, "", none}
+    };
+}
 
-static const ComparisonTable::Add<PartialWettingComparison> registered{"partialWetting"};
+static const ComparisonTable::Add<PlainComparison<comparePartialWetting>> registered{"partialWetting"};
 
 }

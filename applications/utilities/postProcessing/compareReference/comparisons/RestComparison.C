@@ -34,42 +34,36 @@ double slope(const std::vector<double>& t, const std::vector<double>& y)
 
 }
 
-class RestComparison : public JudgedComparison
+static std::vector<ComparisonRow> compareRest(const CaseResults& results, double within)
 {
-public:
-    using JudgedComparison::JudgedComparison;
+    const CsvTable states = results.table("drop", "liquidState.csv");
+    const std::vector<double> allTimes = states.numbers("time");
+    const double end = allTimes.back(), scale = results.capillarySpeed();
+    const double begin = end - std::min(0.1*end, 10*results.radius()/scale);
+    const double mass = results.rho*results.liquidVolume();
 
-    std::vector<ComparisonRow> compare(const CaseResults& results) const override
+    std::vector<double> times, x, y, z;
+    double speed = 0;
+    for (std::size_t row = 0; row < states.rows(); ++row)
     {
-        const CsvTable states = results.table("drop", "liquidState.csv");
-        const std::vector<double> allTimes = states.numbers("time");
-        const double end = allTimes.back(), scale = results.capillarySpeed();
-        const double begin = end - std::min(0.1*end, 10*results.radius()/scale);
-        const double mass = results.rho*results.liquidVolume();
-
-        std::vector<double> times, x, y, z;
-        double speed = 0;
-        for (std::size_t row = 0; row < states.rows(); ++row)
-        {
-            if (allTimes[row] < begin) continue;
-            times.push_back(allTimes[row]);
-            x.push_back(states.number(row, "centroidX"));
-            y.push_back(states.number(row, "centroidY"));
-            z.push_back(states.number(row, "centroidZ"));
-            speed += std::sqrt(2*states.number(row, "kineticEnergy")/mass);
-        }
-        const double drift = std::hypot(slope(times, x), slope(times, y), slope(times, z));
-        const double none = std::nan("");
-        const double viscousTime = results.radius()*results.radius()/results.nu;
-        return
-        {
-            absoluteRow("rms speed over capillary speed", "", 0, speed/double(times.size())/scale, within_),
-            absoluteRow("centroid speed over capillary", "", 0, drift/scale, within_),
-            {"end in viscous times", "", 10, end/viscousTime, none, "", none}
-        };
+        if (allTimes[row] < begin) continue;
+        times.push_back(allTimes[row]);
+        x.push_back(states.number(row, "centroidX"));
+        y.push_back(states.number(row, "centroidY"));
+        z.push_back(states.number(row, "centroidZ"));
+        speed += std::sqrt(2*states.number(row, "kineticEnergy")/mass);
     }
-};
+    const double drift = std::hypot(slope(times, x), slope(times, y), slope(times, z));
+    const double none = std::nan("");
+    const double viscousTime = results.radius()*results.radius()/results.nu;
+    return
+    {
+        absoluteRow("rms speed over capillary speed", "", 0, speed/double(times.size())/scale, within),
+        absoluteRow("centroid speed over capillary", "", 0, drift/scale, within),
+        {"end in viscous times", "", 10, end/viscousTime, none, "", none}
+    };
+}
 
-static const ComparisonTable::Add<RestComparison> registered{"rest"};
+static const ComparisonTable::Add<PlainComparison<compareRest>> registered{"rest"};
 
 }

@@ -13,33 +13,27 @@
 namespace shizuku
 {
 
-class TannerComparison : public JudgedComparison
+static std::vector<ComparisonRow> compareTanner(const CaseResults& results, double within)
 {
-public:
-    using JudgedComparison::JudgedComparison;
-
-    std::vector<ComparisonRow> compare(const CaseResults& results) const override
+    const SampledCurve area = wettedArea(results);
+    CsvFile trace = results.output("tanner.csv", {{"time", "s"}, {"radius", "m"}});
+    PowerLaw law;
+    double radius = std::nan("");
+    for (const auto& [time, wetted] : area.points())
     {
-        const SampledCurve area = wettedArea(results);
-        CsvFile trace = results.output("tanner.csv", {{"time", "s"}, {"radius", "m"}});
-        PowerLaw law;
-        double radius = std::nan("");
-        for (const auto& [time, wetted] : area.points())
-        {
-            radius = std::sqrt(wetted/std::numbers::pi);
-            trace.addRow({time, radius});
-            if (time >= 0.1*area.points().back().first && wetted > 0) law.add(time, radius);
-        }
-        trace.write();
-        const double none = std::nan("");
-        return
-        {
-            relativeRow("exponent of the radius", "", 0.1, law.exponent(), within_),
-            {"last radius over the drop's", "", none, radius/results.radius(), none, "", none}
-        };
+        radius = std::sqrt(wetted/std::numbers::pi);
+        trace.addRow({time, radius});
+        if (time >= 0.1*area.points().back().first && wetted > 0) law.add(time, radius);
     }
-};
+    trace.write();
+    const double none = std::nan("");
+    return
+    {
+        relativeRow("exponent of the radius", "", 0.1, law.exponent(), within),
+        {"last radius over the drop's", "", none, radius/results.radius(), none, "", none}
+    };
+}
 
-static const ComparisonTable::Add<TannerComparison> registered{"tanner"};
+static const ComparisonTable::Add<PlainComparison<compareTanner>> registered{"tanner"};
 
 }

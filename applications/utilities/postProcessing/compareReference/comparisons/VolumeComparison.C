@@ -9,26 +9,20 @@
 namespace shizuku
 {
 
-class VolumeComparison : public JudgedComparison
+static std::vector<ComparisonRow> compareVolume(const CaseResults& results, double within)
 {
-public:
-    using JudgedComparison::JudgedComparison;
-
-    std::vector<ComparisonRow> compare(const CaseResults& results) const override
+    const double exact = results.liquidVolume();
+    const double mesh = results.surface(results.times().back()).volume();
+    const double first = results.surface(results.times().front()).volume();
+    const CsvTable states = results.table("drop", "liquidState.csv");
+    return
     {
-        const double exact = results.liquidVolume();
-        const double mesh = results.surface(results.times().back()).volume();
-        const double first = results.surface(results.times().front()).volume();
-        const CsvTable states = results.table("drop", "liquidState.csv");
-        return
-        {
-            relativeRow("volume of the mesh", "m3", exact, mesh, within_),
-            relativeRow("volume of the mesh since start", "m3", first, mesh, within_),
-            relativeRow("volume of the particles", "m3", exact, states.number(states.rows() - 1, "volume"), within_)
-        };
-    }
-};
+        relativeRow("volume of the mesh", "m3", exact, mesh, within),
+        relativeRow("volume of the mesh since start", "m3", first, mesh, within),
+        relativeRow("volume of the particles", "m3", exact, states.number(states.rows() - 1, "volume"), within)
+    };
+}
 
-static const ComparisonTable::Add<VolumeComparison> registered{"volume"};
+static const ComparisonTable::Add<PlainComparison<compareVolume>> registered{"volume"};
 
 }
