@@ -14,6 +14,7 @@ set(SHIZUKU_DEVICE_SOURCES
     neighbours/CellGrid.C
     neighbours/Neighbourhood.C
     neighbours/PartsOfLiquid.C
+    neighbours/LayerCut.C
     neighbours/RowCut.C
     neighbours/WholeLiquid.C
     walls/HalfSpace.C

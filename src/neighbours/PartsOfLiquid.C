@@ -18,40 +18,63 @@ namespace
 
 using IndexList = std::vector<std::uint32_t>;
 
-struct NotOfPart
+struct Row
+{
+    int y, z;
+};
+
+struct NotIn
 {
     CellGridView grid;
-    OwnRows own;
+    RowRectangle rows;
     Span<const Position> x;
     Span<std::uint8_t> is;
 
     HOST_DEVICE void operator()(int i) const
     {
         const CellPlace cell = grid.cellPlace(x[i]);
-        is[i] = !own.has(cell.y, cell.z);
+        is[i] = !rows.has(cell.y, cell.z);
     }
-};
-
-struct SeenBy
-{
-    CellGridView grid;
-    RowCut cut;
-    int part, rows;
-    Span<const Position> x;
-    Span<std::uint8_t> is;
-
-    HOST_DEVICE void operator()(int i) const { is[i] = cut.sees(part, cut.rowOf(grid.cellPlace(x[i])), rows); }
 };
 
 struct RowsOfSome
 {
     CellGridView grid;
-    RowCut cut;
     Span<const std::uint32_t> index;
     Span<const Position> x;
-    Span<std::uint32_t> row;
+    Span<Row> row;
 
-    HOST_DEVICE void operator()(int k) const { row[k] = std::uint32_t(cut.rowOf(grid.cellPlace(x[int(index[k])]))); }
+    HOST_DEVICE void operator()(int k) const
+    {
+        const CellPlace cell = grid.cellPlace(x[int(index[k])]);
+        row[k] = {cell.y, cell.z};
+    }
+};
+
+// Of each part in turn the same particles.
+struct SeenByParts
+{
+    CellGridView grid;
+    Span<const RowRectangle> parts;
+    scalar reach;
+    Span<const std::uint32_t> index;
+    Span<const Position> x;
+    Span<std::uint8_t> is;
+
+    HOST_DEVICE void operator()(int k) const
+    {
+        const int part = k / index.size;
+        const CellPlace place = grid.cellPlace(x[int(index[k - part * index.size])]);
+        is[k] = grid.squaredDistance(parts[part], place) < reach * reach;
+    }
+};
+
+struct Remainders
+{
+    std::uint32_t divisor;
+    Span<std::uint32_t> numbers;
+
+    HOST_DEVICE void operator()(int k) const { numbers[k] %= divisor; }
 };
 
 // Particles for other parts: those of one part behind those of another, and how many these are.
@@ -219,24 +242,21 @@ int PartsOfLiquid::choose(const Is& is, Buffer<std::uint8_t>& chosen)
 PartsOfLiquid::Leaving PartsOfLiquid::leaving(const Liquid& liquid, const CellGridView& grid)
 {
     Buffer<std::uint8_t> is(liquid.owned());
-    const int count = choose(NotOfPart{grid, cut_.rowsOf(liquid.parts().part()), liquid.predicted.span(), is.span()}, is);
-    Leaving leaving;
-    leaving.indices.resize(count);
+    const int count = choose(NotIn{grid, cut_.rowsOf(liquid.parts().part()), liquid.predicted.span(), is.span()}, is);
+    Leaving leaving{IndexList(count), std::vector<IndexList>(cut_.parts())};
     selection_.indices.download(leaving.indices.data(), count);
-    Buffer<std::uint32_t> rows(count);
-    forEach(count, RowsOfSome{grid, cut_, selection_.indices.span(), liquid.predicted.span(), rows.span()});
-    leaving.rows = rows.download();
+    Buffer<Row> rows(count);
+    forEach(count, RowsOfSome{grid, selection_.indices.span(), liquid.predicted.span(), rows.span()});
+    const std::vector<Row> rowOf = rows.download();
+    for (int k = 0; k < count; ++k) leaving.byPart[cut_.partOf(rowOf[k].y, rowOf[k].z)].push_back(leaving.indices[k]);
     return leaving;
 }
 
 void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid)
 {
     const Leaving leave = leaving(liquid, grid);
-    std::vector<IndexList> byPart(cut_.parts);
-    for (std::size_t k = 0; k < leave.indices.size(); ++k) byPart[cut_.partOf(int(leave.rows[k]))].push_back(leave.indices[k]);
-
     FieldRegistry& fields = liquid.fields();
-    const std::vector<Bytes> from = liquid.parts().exchange(packed(fields, Lists(byPart), moves));
+    const std::vector<Bytes> from = liquid.parts().exchange(packed(fields, Lists(leave.byPart), moves));
     const std::vector<int> counts = countsOf(from, bytesOf(fields, moves));
     const Places places(liquid.owned(), leave.indices, std::accumulate(counts.begin(), counts.end(), 0));
     if (places.owned > liquid.owned()) liquid.resize(places.owned);
@@ -246,33 +266,60 @@ void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid)
     if (places.owned < liquid.owned()) liquid.resize(places.owned);
 }
 
-void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGridView& grid, int rows)
+// Of the particles those at the edge, and of these for all parts that are near at once.
+PartsOfLiquid::Seen PartsOfLiquid::seen(const Liquid& liquid, const CellGrid& grid, scalar reach)
 {
-    const int part = liquid.parts().part(), owned = liquid.owned();
-    Buffer<std::uint8_t> is(owned);
-    Buffer<std::uint32_t> sent;
-    std::vector<int> counts(cut_.parts);
-    for (int other = 0; other < cut_.parts; ++other)
+    const CellGridView cells = grid.view();
+    const int part = liquid.parts().part(), rows = grid.cellsWithin(reach);
+    const std::vector<int> near = cut_.partsNear(part, rows);
+    Seen seen{{}, std::vector<int>(cut_.parts())};
+    if (near.empty()) return seen;
+
+    Buffer<std::uint8_t> isAtEdge(liquid.owned());
+    Buffer<std::uint32_t> edge(choose(NotIn{cells, cut_.rowsOf(part).widened(-rows), liquid.predicted.span(), isAtEdge.span()}, isAtEdge));
+    if (edge.size() == 0) return seen;
+    device::copyOnDevice(edge.span().data, selection_.indices.span().data, edge.size() * sizeof(std::uint32_t));
+
+    std::vector<RowRectangle> rowsOfNear;
+    std::vector<std::uint32_t> ends;
+    for (const int other : near)
     {
-        if (other == part || !cut_.seesOf(other, part, rows)) continue;
-        const int before = sent.size(), count = choose(SeenBy{grid, cut_, other, rows, liquid.predicted.span(), is.span()}, is);
-        sent.resize(before + count);
-        if (count > 0) device::copyOnDevice(sent.span().data + before, selection_.indices.span().data, count * sizeof(std::uint32_t));
-        counts[other] = count;
+        rowsOfNear.push_back(cut_.rowsOf(other));
+        ends.push_back(std::uint32_t(rowsOfNear.size()) * std::uint32_t(edge.size()));
     }
+    const Buffer<RowRectangle> parts(rowsOfNear);
+    Buffer<std::uint8_t> isSeen(int(ends.back()));
+    const int count = choose(SeenByParts{cells, parts.span(), cells.widened(reach), edge.span(), liquid.predicted.span(), isSeen.span()}, isSeen);
+    if (count == 0) return seen;
+    Buffer<std::uint32_t> before;
+    gather(selection_.before, Buffer<std::uint32_t>(ends), before);
+    const std::vector<std::uint32_t> endOf = before.download();
+    for (std::size_t k = 0; k < near.size(); ++k) seen.counts[near[k]] = int(endOf[k] - (k > 0 ? endOf[k - 1] : 0));
+
+    Buffer<std::uint32_t> places(count);
+    device::copyOnDevice(places.span().data, selection_.indices.span().data, count * sizeof(std::uint32_t));
+    forEach(count, Remainders{std::uint32_t(edge.size()), places.span()});
+    gather(edge, places, seen.indices);
+    return seen;
+}
+
+void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach)
+{
+    const int owned = liquid.owned();
+    Seen seen = this->seen(liquid, grid, reach);
     Ghosts& ghosts = liquid.ghosts();
-    liquid.resize(owned, ghosts.set(std::move(sent), std::move(counts), owned));
+    liquid.resize(owned, ghosts.set(std::move(seen.indices), std::move(seen.counts), owned));
     for (const auto& entry : liquid.fields().entries())
     {
         if (entry->info.exchanged) std::visit([&](auto& field) { ghosts.copy(field); }, entry->values);
     }
 }
 
-void PartsOfLiquid::bring(Liquid& liquid, const CellGridView& grid, int rows)
+void PartsOfLiquid::bring(Liquid& liquid, const CellGrid& grid, scalar reach)
 {
     liquid.resize(liquid.owned());              // without the ghosts of the search before
-    migrate(liquid, grid);
-    addGhosts(liquid, grid, rows);
+    migrate(liquid, grid.view());
+    addGhosts(liquid, grid, reach);
 }
 
 }
