@@ -183,7 +183,7 @@ BalanceControls BalanceControls::read(const std::filesystem::path& casePath)
     const double interval = dict.lookupOr("rebalanceInterval", double(controls.interval));
     if (!isWhole(interval))
     {
-        throw FatalInputError(dict.where("rebalanceInterval"), "These are no steps", "a whole number, 20 for every 20th step");
+        throw FatalInputError(dict.where("rebalanceInterval"), "These are no steps", "a whole number, 5 for every fifth step");
     }
     controls.interval = int(interval);
     controls.sameBits = dict.lookupOr("sameBits", controls.sameBits);
