@@ -2,6 +2,7 @@
 # Compiled once per backend. Paths below src/.
 set(SHIZUKU_DEVICE_SOURCES
     device/Algorithms.C
+    device/Columns.C
     device/Memory.C
     device/Profile.C
     device/ProfileTable.C

@@ -21,6 +21,8 @@ struct Call
     std::size_t begin, end;
 };
 
+constexpr std::size_t untimed = -1;
+
 bool on = false;
 std::vector<Call> calls;
 
@@ -70,16 +72,17 @@ std::vector<KernelTime> stopProfile()
 namespace device
 {
 
-CountedKernel::CountedKernel(const char* name) : timed_(on)
+Timed::Timed(const char* name) : call_(on ? calls.size() : untimed)
 {
-    ++deviceCounters().launches;
-    if (timed_) calls.push_back({name, mark(), 0});
+    if (on) calls.push_back({name, mark(), 0});
 }
 
-CountedKernel::~CountedKernel()
+Timed::~Timed()
 {
-    if (timed_) calls.back().end = mark();
+    if (call_ != untimed) calls[call_].end = mark();
 }
+
+CountedKernel::CountedKernel(const char* name) : time_(name) { ++deviceCounters().launches; }
 
 }
 

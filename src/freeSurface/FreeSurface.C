@@ -42,13 +42,12 @@ struct FindSurface
     }
 };
 
-// How many neighbours each particle has, ghosts included.
+// How many neighbours each particle has, with room for those of ghosts.
 Span<const std::uint32_t> countsOfAll(const Liquid& liquid, Span<const std::uint32_t> ofOwned, Buffer<std::uint32_t>& room)
 {
     if (liquid.parts().parts() == 1) return ofOwned;
     room.resizeDiscarding(liquid.all());
     forEach(liquid.owned(), Copy{ofOwned, room.span()});
-    liquid.ghosts().copy(room);
     return room.span();
 }
 
@@ -207,8 +206,9 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
     if (!extended_) extended_.emplace(*kernel_, walls.contactAngles(kernel_->h));
     Buffer<std::uint32_t> counts;
     Buffer<std::uint8_t> isNear(liquid.all());
-    forEachTeam(liquid.owned(), FindSurface{near.view(), countsOfAll(liquid, near.view().count, counts), leastInside(liquid), isNear.span()});
-    liquid.ghosts().copy(isNear);
+    const Span<const std::uint32_t> ofAll = countsOfAll(liquid, near.view().count, counts);
+    const FindSurface findSurface{near.view(), ofAll, leastInside(liquid), isNear.span()};
+    liquid.ghosts().forEachTeam(liquid.owned(), findSurface, {valuesOf(counts)}, {valuesOf(isNear)}, GhostsOf::all);
     particles_.ghosts = liquid.all() - liquid.owned();
     select(isNear, particles_, room_, readCount_);
     asked_ = true;
@@ -227,7 +227,7 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
         liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view(liquid)}, plane(), steepest_},
         depthOfRatio_.span(), largestRatio_, suction_, place, gradient_.span(), position_.span(), contact_.span()
     });
-    liquid.ghosts().copy(particles_, position_);
+    liquid.ghosts().copy({valuesOf(particles_, position_)});
 }
 
 }

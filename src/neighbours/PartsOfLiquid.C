@@ -3,12 +3,10 @@
 
 #include "device/Algorithms.H"
 #include "device/ForEach.H"
-#include "device/Gather.H"
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
-#include <numeric>
+#include <utility>
 
 namespace shizuku
 {
@@ -18,9 +16,12 @@ namespace
 
 using IndexList = std::vector<std::uint32_t>;
 
-struct Row
+struct Choose
 {
-    int y, z;
+    Span<const std::uint32_t> of, places;
+    Span<std::uint32_t> chosen;
+
+    HOST_DEVICE void operator()(int k) const { chosen[k] = of[int(places[k])]; }
 };
 
 struct NotIn
@@ -37,161 +38,71 @@ struct NotIn
     }
 };
 
-struct RowsOfSome
+// A particle that another part owns next, and the row that it is in.
+struct Leaver
+{
+    std::uint32_t index;
+    int y, z;
+};
+
+struct FindLeaver
 {
     CellGridView grid;
     Span<const std::uint32_t> index;
     Span<const Position> x;
-    Span<Row> row;
+    Span<Leaver> leaver;
 
     HOST_DEVICE void operator()(int k) const
     {
-        const CellPlace cell = grid.cellPlace(x[int(index[k])]);
-        row[k] = {cell.y, cell.z};
+        const std::uint32_t i = index[k];
+        const CellPlace cell = grid.cellPlace(x[int(i)]);
+        leaver[k] = {i, cell.y, cell.z};
     }
 };
 
-// Of each part in turn the same particles.
-struct SeenByParts
+// Those that one part sees: in lists of neighbours, or beyond.
+struct SeenBy
 {
     CellGridView grid;
-    Span<const RowRectangle> parts;
-    scalar reach;
+    RowRectangle rows;                          // of the part
+    scalar support, reach;
+    bool inLists;
     Span<const std::uint32_t> index;
     Span<const Position> x;
     Span<std::uint8_t> is;
 
     HOST_DEVICE void operator()(int k) const
     {
-        const int part = k / index.size;
-        const CellPlace place = grid.cellPlace(x[int(index[k - part * index.size])]);
-        is[k] = grid.squaredDistance(parts[part], place) < reach * reach;
+        const scalar distance2 = grid.squaredDistance(rows, grid.cellPlace(x[int(index[k])]));
+        is[k] = distance2 < support * support ? inLists : !inLists && distance2 < reach * reach;
     }
 };
 
-struct Remainders
-{
-    std::uint32_t divisor;
-    Span<std::uint32_t> numbers;
-
-    HOST_DEVICE void operator()(int k) const { numbers[k] %= divisor; }
-};
-
-// Particles for other parts: those of one part behind those of another, and how many these are.
-struct Lists
-{
-    IndexList indices;
-    std::vector<int> counts;
-
-    explicit Lists(const std::vector<IndexList>& ofParts)
-    {
-        for (const IndexList& of : ofParts)
-        {
-            indices.insert(indices.end(), of.begin(), of.end());
-            counts.push_back(int(of.size()));
-        }
-    }
-};
-
-// For each part the values of its particles, of one field behind the other.
 template<class Wanted>
-std::vector<Bytes> packed(const FieldRegistry& fields, const Lists& lists, const Wanted& wanted)
+Columns columnsOf(FieldRegistry& fields, const Wanted& wanted)
 {
-    std::vector<Bytes> bytes(lists.counts.size());
-    if (lists.indices.empty()) return bytes;
-    const Buffer<std::uint32_t> index(lists.indices);
+    Columns columns;
     for (const auto& entry : fields.entries())
     {
-        if (!wanted(entry->info)) continue;
-        std::visit
-        (
-            [&]<class T>(const Buffer<T>& field)
-            {
-                Buffer<T> values;
-                gather(field, index, values);
-                const std::vector<T> host = values.download();
-                const auto* next = reinterpret_cast<const std::byte*>(host.data());
-                for (std::size_t k = 0; k < bytes.size(); ++k)
-                {
-                    const auto* const end = next + lists.counts[k] * sizeof(T);
-                    bytes[k].insert(bytes[k].end(), next, end);
-                    next = end;
-                }
-            },
-            entry->values
-        );
+        if (wanted(entry->info)) std::visit([&](auto& field) { columns.push_back(valuesOf(field)); }, entry->values);
     }
-    return bytes;
-}
-
-// Bytes of a particle in what is packed.
-template<class Wanted>
-std::size_t bytesOf(const FieldRegistry& fields, const Wanted& wanted)
-{
-    std::size_t bytes = 0;
-    for (const auto& entry : fields.entries())
-    {
-        if (wanted(entry->info)) std::visit([&]<class T>(const Buffer<T>&) { bytes += sizeof(T); }, entry->values);
-    }
-    return bytes;
-}
-
-// Puts the packed particles of all parts into the fields, by part.
-template<class Wanted, class Put>
-void unpack(FieldRegistry& fields, const std::vector<Bytes>& bytes, const std::vector<int>& counts, const Wanted& wanted, const Put& put)
-{
-    const int all = std::accumulate(counts.begin(), counts.end(), 0);
-    if (all == 0) return;
-    std::size_t before = 0;                     // bytes of a particle in the fields before
-    for (const auto& entry : fields.entries())
-    {
-        if (!wanted(entry->info)) continue;
-        std::visit
-        (
-            [&]<class T>(Buffer<T>& field)
-            {
-                std::vector<T> values(all);
-                T* next = values.data();
-                for (std::size_t k = 0; k < bytes.size(); next += counts[k++])
-                {
-                    if (counts[k] > 0) std::memcpy(next, bytes[k].data() + counts[k] * before, counts[k] * sizeof(T));
-                }
-                put(values, field);
-                before += sizeof(T);
-            },
-            entry->values
-        );
-    }
-}
-
-std::vector<int> countsOf(const std::vector<Bytes>& bytes, std::size_t each)
-{
-    std::vector<int> counts;
-    for (const Bytes& of : bytes) counts.push_back(int(of.size() / each));
-    return counts;
+    return columns;
 }
 
 bool moves(const FieldInfo& info) { return info.sorted; }
+bool isExchanged(const FieldInfo& info) { return info.exchanged; }
 
-// Values of particles `from` become those of particles `to`.
-void move(FieldRegistry& fields, const IndexList& from, const IndexList& to)
+// Records on the host, of particles that go to each part.
+std::vector<Bytes> byPart(const RowCut& cut, const std::byte* records, std::size_t record, const std::vector<Leaver>& leavers)
 {
-    if (from.empty()) return;
-    const Buffer<std::uint32_t> source(from), target(to);
-    for (const auto& entry : fields.entries())
+    std::vector<Bytes> result(cut.parts());
+    for (const Leaver& leaver : leavers)
     {
-        if (!entry->info.sorted) continue;
-        std::visit
-        (
-            [&]<class T>(Buffer<T>& field)
-            {
-                Buffer<T> values;
-                gather(field, source, values);
-                scatter(values, target, field);
-            },
-            entry->values
-        );
+        Bytes& of = result[cut.partOf(leaver.y, leaver.z)];
+        of.insert(of.end(), records, records + record);
+        records += record;
     }
+    return result;
 }
 
 // Where those who come are put: into the places of those who left, then behind the others. What is left of these places is filled from behind; the order
@@ -221,6 +132,24 @@ struct Places
     }
 };
 
+// Puts the particles of these records into their places, and fills those that are left.
+void put(FieldRegistry& fields, const Bytes& records, const Places& places)
+{
+    const Columns columns = columnsOf(fields, moves);
+    const int moved = int(places.from.size());
+    IndexList lists = places.come;
+    lists.insert(lists.end(), places.from.begin(), places.from.end());
+    lists.insert(lists.end(), places.to.begin(), places.to.end());
+    const Buffer<std::uint32_t> indices(lists);
+    const auto list = [&](std::size_t first, int n) { return Span<const std::uint32_t>{indices.span().data + first, n}; };
+    RecordMemory memory(RecordLine::countFor(std::max(records.size(), moved * recordOf(columns))));
+    std::byte* const bytes = reinterpret_cast<std::byte*>(memory.span().data);
+    if (!records.empty()) device::copyToDevice(bytes, records.data(), records.size());
+    unpack(bytes, list(0, int(places.come.size())), columns);
+    pack(columns, list(places.come.size(), moved), bytes);
+    unpack(bytes, list(places.come.size() + moved, moved), columns);
+}
+
 }
 
 template<class Is>
@@ -239,80 +168,86 @@ int PartsOfLiquid::choose(const Is& is, Buffer<std::uint8_t>& chosen)
     return count;
 }
 
-PartsOfLiquid::Leaving PartsOfLiquid::leaving(const Liquid& liquid, const CellGridView& grid)
-{
-    Buffer<std::uint8_t> is(liquid.owned());
-    const int count = choose(NotIn{grid, cut_.rowsOf(liquid.parts().part()), liquid.predicted.span(), is.span()}, is);
-    Leaving leaving{IndexList(count), std::vector<IndexList>(cut_.parts())};
-    selection_.indices.download(leaving.indices.data(), count);
-    Buffer<Row> rows(count);
-    forEach(count, RowsOfSome{grid, selection_.indices.span(), liquid.predicted.span(), rows.span()});
-    const std::vector<Row> rowOf = rows.download();
-    for (int k = 0; k < count; ++k) leaving.byPart[cut_.partOf(rowOf[k].y, rowOf[k].z)].push_back(leaving.indices[k]);
-    return leaving;
-}
-
 void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid)
 {
-    const Leaving leave = leaving(liquid, grid);
+    const Span<const Position> x = std::as_const(liquid.predicted).span();
+    Buffer<std::uint8_t> is(liquid.owned());
+    const int count = choose(NotIn{grid, cut_.rowsOf(liquid.parts().part()), x, is.span()}, is);
+
+    // Records, and behind them who it is: one copy to the host.
     FieldRegistry& fields = liquid.fields();
-    const std::vector<Bytes> from = liquid.parts().exchange(packed(fields, Lists(leave.byPart), moves));
-    const std::vector<int> counts = countsOf(from, bytesOf(fields, moves));
-    const Places places(liquid.owned(), leave.indices, std::accumulate(counts.begin(), counts.end(), 0));
+    const Columns columns = columnsOf(fields, moves);
+    const std::size_t record = recordOf(columns), ofRecords = count * record, ofLeavers = count * sizeof(Leaver);
+    RecordMemory taken(RecordLine::countFor(ofRecords + ofLeavers));
+    std::byte* const records = reinterpret_cast<std::byte*>(taken.span().data);
+    const Span<const std::uint32_t> indices{selection_.indices.span().data, count};
+    pack(columns, indices, records);
+    forEach(count, FindLeaver{grid, indices, x, {reinterpret_cast<Leaver*>(records + ofRecords), count}});
+    const std::vector<RecordLine> lines = taken.download();
+    const auto* const gone = reinterpret_cast<const std::byte*>(lines.data());
+    std::vector<Leaver> leavers(count);
+    if (count > 0) std::memcpy(leavers.data(), gone + ofRecords, ofLeavers);
+
+    Bytes come;
+    for (const Bytes& from : liquid.parts().exchange(byPart(cut_, gone, record, leavers))) come.insert(come.end(), from.begin(), from.end());
+    if (come.empty() && count == 0) return;
+    IndexList left;
+    for (const Leaver& leaver : leavers) left.push_back(leaver.index);
+    const Places places(liquid.owned(), std::move(left), int(come.size() / record));
     if (places.owned > liquid.owned()) liquid.resize(places.owned);
-    const Buffer<std::uint32_t> come(places.come);
-    unpack(fields, from, counts, moves, [&]<class T>(const std::vector<T>& values, Buffer<T>& field) { scatter(Buffer<T>(values), come, field); });
-    move(fields, places.from, places.to);
+    put(fields, come, places);
     if (places.owned < liquid.owned()) liquid.resize(places.owned);
-}
-
-// Of the particles those at the edge, and of these for all parts that are near at once.
-PartsOfLiquid::Seen PartsOfLiquid::seen(const Liquid& liquid, const CellGrid& grid, scalar reach)
-{
-    const CellGridView cells = grid.view();
-    const int part = liquid.parts().part(), rows = grid.cellsWithin(reach);
-    const std::vector<int> near = cut_.partsNear(part, rows);
-    Seen seen{{}, std::vector<int>(cut_.parts())};
-    if (near.empty()) return seen;
-
-    Buffer<std::uint8_t> isAtEdge(liquid.owned());
-    Buffer<std::uint32_t> edge(choose(NotIn{cells, cut_.rowsOf(part).widened(-rows), liquid.predicted.span(), isAtEdge.span()}, isAtEdge));
-    if (edge.size() == 0) return seen;
-    device::copyOnDevice(edge.span().data, selection_.indices.span().data, edge.size() * sizeof(std::uint32_t));
-
-    std::vector<RowRectangle> rowsOfNear;
-    std::vector<std::uint32_t> ends;
-    for (const int other : near)
-    {
-        rowsOfNear.push_back(cut_.rowsOf(other));
-        ends.push_back(std::uint32_t(rowsOfNear.size()) * std::uint32_t(edge.size()));
-    }
-    const Buffer<RowRectangle> parts(rowsOfNear);
-    Buffer<std::uint8_t> isSeen(int(ends.back()));
-    const int count = choose(SeenByParts{cells, parts.span(), cells.widened(reach), edge.span(), liquid.predicted.span(), isSeen.span()}, isSeen);
-    if (count == 0) return seen;
-    Buffer<std::uint32_t> before;
-    gather(selection_.before, Buffer<std::uint32_t>(ends), before);
-    const std::vector<std::uint32_t> endOf = before.download();
-    for (std::size_t k = 0; k < near.size(); ++k) seen.counts[near[k]] = int(endOf[k] - (k > 0 ? endOf[k - 1] : 0));
-
-    Buffer<std::uint32_t> places(count);
-    device::copyOnDevice(places.span().data, selection_.indices.span().data, count * sizeof(std::uint32_t));
-    forEach(count, Remainders{std::uint32_t(edge.size()), places.span()});
-    gather(edge, places, seen.indices);
-    return seen;
 }
 
 void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach)
 {
-    const int owned = liquid.owned();
-    Seen seen = this->seen(liquid, grid, reach);
-    Ghosts& ghosts = liquid.ghosts();
-    liquid.resize(owned, ghosts.set(std::move(seen.indices), std::move(seen.counts), owned));
-    for (const auto& entry : liquid.fields().entries())
+    const CellGridView cells = grid.view();
+    const int part = liquid.parts().part(), owned = liquid.owned(), rows = grid.cellsWithin(reach);
+    const std::vector<int> near = cut_.partsNear(part, rows);
+    const Span<const Position> x = std::as_const(liquid.predicted).span();
+    Buffer<std::uint8_t> is(owned);
+    const int all = near.empty() ? 0 : choose(NotIn{cells, cut_.rowsOf(part).widened(-rows), x, is.span()}, is);      // at the edge
+    const Span<const std::uint32_t> seen{selection_.indices.span().data, all};
+
+    // All are asked for before the first is waited for.
+    struct List
     {
-        if (entry->info.exchanged) std::visit([&](auto& field) { ghosts.copy(field); }, entry->values);
+        int part;
+        bool inLists;
+        Selection places;
+        int count;
+    };
+    std::vector<List> lists;
+    is.resizeDiscarding(all);
+    for (const int other : near)
+    {
+        for (const bool inLists : {true, false})
+        {
+            if (counts_.size() == lists.size()) counts_.emplace_back();
+            List& list = lists.emplace_back(List{other, inLists, {}, 0});
+            forEach(all, SeenBy{cells, cut_.rowsOf(other), cells.widened(liquid.support()), cells.widened(reach), inLists, seen, x, is.span()});
+            select(is, list.places, all, counts_[lists.size() - 1]);
+        }
     }
+    std::vector<Ghosts::Seen> counts(cut_.parts());
+    int sum = 0;
+    for (std::size_t k = 0; k < lists.size(); ++k)
+    {
+        List& list = lists[k];
+        sum += list.count = int(*counts_[k].wait());
+        counts[list.part].all += list.count;
+        if (list.inLists) counts[list.part].inLists = list.count;
+    }
+    Buffer<std::uint32_t> sent(sum);
+    std::uint32_t* next = sent.span().data;
+    for (const List& list : lists)
+    {
+        forEach(list.count, Choose{seen, list.places.indices.span(), {next, list.count}});
+        next += list.count;
+    }
+    Ghosts& ghosts = liquid.ghosts();
+    liquid.resize(owned, ghosts.set(std::move(sent), counts, owned));
+    ghosts.copy(columnsOf(liquid.fields(), isExchanged));
 }
 
 void PartsOfLiquid::bring(Liquid& liquid, const CellGrid& grid, scalar reach)

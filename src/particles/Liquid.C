@@ -38,12 +38,11 @@ Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)
     ParticleSet("liquid", properties.spacing),
     position(fields().add<Position>
     ({
-        .name = "positions", .dimensions = dimensions::length, .written = true, .restarted = true, .begins = true,
-        .exchanged = true
+        .name = "positions", .dimensions = dimensions::length, .written = true, .restarted = true, .begins = true
     })),
     velocity(fields().add<Vec3>
     ({
-        .name = "U", .dimensions = dimensions::velocity, .written = true, .restarted = true, .begins = true, .exchanged = true
+        .name = "U", .dimensions = dimensions::velocity, .written = true, .restarted = true, .begins = true
     })),
     predicted(fields().add<Position>({.name = "predicted", .dimensions = dimensions::length, .exchanged = true})),
     density(fields().add<scalar>({.name = "densityRatio", .dimensions = dimensions::none, .written = true})),

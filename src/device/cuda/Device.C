@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/Beside.H"
 #include "device/Device.H"
 #include "device/Memory.H"
 #include "device/Processors.H"
@@ -81,6 +82,17 @@ void forgetMarks()
     for (const cudaEvent_t event : marks) cudaEventDestroy(event);
     marks.clear();
 }
+
+void beginBeside() { launchQueue().fork(); }
+
+void endBeside()
+{
+    const Timed waits(waitForGhosts);
+    launchQueue().join();
+}
+
+Beside::Beside() { launchQueue().turn(); }
+Beside::~Beside() { launchQueue().turn(); }
 
 void* newBlock(std::size_t bytes) noexcept
 {

@@ -2,13 +2,43 @@
 #include "device/cuda/LaunchQueue.H"
 
 #include <algorithm>
+#include <utility>
 
 namespace shizuku::device
 {
 
 LaunchQueue::LaunchQueue()
 {
+    int least = 0, greatest = 0;
     check(cudaStreamCreate(&stream_), "cannot create a stream");
+    check(cudaDeviceGetStreamPriorityRange(&least, &greatest), "cannot tell a stream's priority");
+    check(cudaStreamCreateWithPriority(&other_, cudaStreamDefault, greatest), "cannot create a stream");
+    check(cudaEventCreateWithFlags(&reached_, cudaEventDisableTiming), "cannot create an event");
+}
+
+void LaunchQueue::fork()
+{
+    submit();
+    wait(other_, stream_);
+}
+
+void LaunchQueue::join()
+{
+    submit();
+    wait(stream_, other_);
+}
+
+void LaunchQueue::turn()
+{
+    submit();
+    std::swap(stream_, other_);
+    turned_ = !turned_;
+}
+
+void LaunchQueue::wait(cudaStream_t behind, cudaStream_t before)
+{
+    check(cudaEventRecord(reached_, before), "cannot record an event");
+    check(cudaStreamWaitEvent(behind, reached_), "cannot wait for an event");
 }
 
 void LaunchQueue::push(const void* argument, std::size_t bytes)
@@ -26,12 +56,16 @@ void LaunchQueue::submit()
     const Forget afterwards{*this};
     pointers_.clear();
     for (const std::size_t argument : arguments_) pointers_.push_back(bytes_.data() + argument);
-    if (waiting_.size() == 1)
+    if (waiting_.size() > 1 && !turned_)
     {
-        const cudaKernelNodeParams one = parameters(0);
+        check(cudaGraphLaunch(chain(), stream_), "cannot launch kernels");
+        return;
+    }
+    for (std::size_t k = 0; k < waiting_.size(); ++k)
+    {
+        const cudaKernelNodeParams one = parameters(k);
         check(cudaLaunchKernel(one.func, one.gridDim, one.blockDim, one.kernelParams, 0, stream_), "cannot launch a kernel");
     }
-    else check(cudaGraphLaunch(chain(), stream_), "cannot launch kernels");
 }
 
 LaunchQueue::Forget::~Forget()
@@ -109,7 +143,7 @@ LaunchQueue::Chain LaunchQueue::make()
 
 void LaunchQueue::forgetChains()
 {
-    check(cudaStreamSynchronize(stream_), "a kernel failed");
+    for (const cudaStream_t stream : {stream_, other_}) check(cudaStreamSynchronize(stream), "a kernel failed");
     for (const auto& [kernels, recurring] : chains_)
     {
         for (const Chain& chain : recurring.graphs)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/messages/Error.H"
+#include "device/Beside.H"
 #include "device/Device.H"
 #include "device/Lanes.H"
 #include "device/Memory.H"
@@ -100,6 +101,11 @@ double millisecondsBetween(std::size_t first, std::size_t second)
 }
 
 void forgetMarks() { marks.clear(); }
+
+void beginBeside() {}
+void endBeside() {}
+Beside::Beside() = default;
+Beside::~Beside() = default;
 
 namespace
 {

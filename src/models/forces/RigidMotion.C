@@ -55,13 +55,14 @@ struct SumsOfParticle
 // What is to be removed.
 struct FindMotion
 {
-    Span<const RigidMotion::Sums> sums;
+    Span<const RigidMotion::Sums> sums;                  // of all parts
     WallConstraints walls, adhesive;                     // adhesive: those that bear other forces than pressure
     Span<RigidMotion::Motion> motion;
 
     HOST_DEVICE void operator()(int) const
     {
-        const RigidMotion::Sums& all = sums[0];
+        RigidMotion::Sums all = sums[0];
+        for (int k = 1; k < sums.size; ++k) all.add(sums[k]);
         const double n = double(all.particles);
         const bool atWall = all.atWall > 0;
         const WallConstraints any = atWall ? walls : WallConstraints{}, bearing = atWall ? adhesive : WallConstraints{};
@@ -177,7 +178,11 @@ void RigidMotion::remove
         },
         scratch_, sums_
     );
-    if (liquid.parts().parts() > 1) sums_.upload({liquid.parts().fold(sums_.download()[0])});
+    if (liquid.parts().parts() > 1)
+    {
+        liquid.ghosts().gather(sums_, scratch_);
+        sums_.swap(scratch_);
+    }
     motion_.resizeDiscarding(1);
     forEach(1, FindMotion{sums_.span(), walls.constraints(), walls.adhesiveConstraints(), motion_.span()});
     forEach(liquid.owned(), RemoveMotion{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});

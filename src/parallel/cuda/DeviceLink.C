@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parallel/DeviceLink.H"
 
+#include "device/Beside.H"
 #include "device/HostBuffer.H"
+#include "device/Profile.H"
 #include "device/cuda/Check.H"
 #include "device/cuda/LaunchQueue.H"
 #include "parallel/nccl/NcclLink.H"
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <optional>
 
 namespace shizuku
 {
@@ -40,33 +43,65 @@ OpenNccl findNccl()
     return module ? reinterpret_cast<OpenNccl>(dlsym(module, "openNccl")) : nullptr;
 }
 
-class GpuToGpu : public DeviceLink
+// What goes beside travels when the other stream has been given what it does meanwhile.
+class BesideLink : public DeviceLink
 {
 public:
-    explicit GpuToGpu(std::unique_ptr<const DeviceLink> nccl) : nccl_(std::move(nccl)) {}
+    void exchange(const std::vector<SentPiece>& sent, const std::vector<ReceivedPiece>& received) const override
+    {
+        const device::Timed waits(device::waitForGhosts);
+        pass(sent, received, device::launchQueue().stream());
+    }
+
+    void begin(const std::vector<SentPiece>& sent, const std::vector<ReceivedPiece>& received) const override
+    {
+        sent_ = sent;
+        received_ = received;
+    }
+
+    void end() const override
+    {
+        device::launchQueue().submit();
+        pass(sent_, received_, device::launchQueue().other());
+    }
+
+protected:
+    virtual void pass(const std::vector<SentPiece>& sent, const std::vector<ReceivedPiece>& received, cudaStream_t stream) const = 0;
+
+private:
+    mutable std::vector<SentPiece> sent_;
+    mutable std::vector<ReceivedPiece> received_;
+};
+
+class GpuToGpu : public BesideLink
+{
+public:
+    explicit GpuToGpu(std::unique_ptr<const GpuLink> nccl) : nccl_(std::move(nccl)) {}
 
     std::string name() const override { return nccl_->name(); }
 
-    void exchange(const std::vector<SentPiece>& sent, const std::vector<ReceivedPiece>& received) const override
+private:
+    void pass(const std::vector<SentPiece>& sent, const std::vector<ReceivedPiece>& received, cudaStream_t stream) const override
     {
-        device::launchQueue().submit();
-        nccl_->exchange(sent, received);
+        std::optional<device::Beside> here;
+        if (stream == device::launchQueue().other()) here.emplace();
+        const device::Timed way(device::wayOfGhosts);
+        nccl_->exchange(sent, received, stream);
     }
 
-private:
-    std::unique_ptr<const DeviceLink> nccl_;
+    std::unique_ptr<const GpuLink> nccl_;
 };
 
-class ThroughHost : public DeviceLink
+class ThroughHost : public BesideLink
 {
 public:
     explicit ThroughHost(const Communicator& parts) : parts_(parts) {}
 
     std::string name() const override { return "the host's memory"; }
 
-    void exchange(const std::vector<SentPiece>& sent, const std::vector<ReceivedPiece>& received) const override
+private:
+    void pass(const std::vector<SentPiece>& sent, const std::vector<ReceivedPiece>& received, cudaStream_t stream) const override
     {
-        const cudaStream_t stream = device::launchQueue().stream();
         std::vector<SentPiece> out = sent;
         std::vector<ReceivedPiece> in = received;
         place(out, out_);
@@ -75,16 +110,16 @@ public:
         {
             device::check(cudaMemcpyAsync(const_cast<std::byte*>(out[k].bytes), sent[k].bytes, sent[k].size, cudaMemcpyDeviceToHost, stream), "copy from the device");
         }
-        synchronize();
+        waitFor(stream);
         parts_.exchange(out, in);
         for (std::size_t k = 0; k < received.size(); ++k)
         {
             device::check(cudaMemcpyAsync(received[k].bytes, in[k].bytes, in[k].size, cudaMemcpyHostToDevice, stream), "copy to the device");
         }
-        synchronize();
+        waitFor(stream);
+        device::launchQueue().idle();
     }
 
-private:
     // Gives each piece its place on the host.
     template<class Piece>
     static void place(std::vector<Piece>& pieces, HostBuffer<std::byte>& memory)
@@ -101,7 +136,7 @@ private:
         }
     }
 
-    static void synchronize() { device::launchQueue().synchronize(); }
+    static void waitFor(cudaStream_t stream) { device::check(cudaStreamSynchronize(stream), "a kernel failed"); }
 
     const Communicator& parts_;
     mutable HostBuffer<std::byte> out_, in_;
@@ -113,7 +148,7 @@ std::shared_ptr<const DeviceLink> linkDevices(const Communicator& parts)
 {
     const OpenNccl open = eachHasItsOwn(parts) ? findNccl() : nullptr;
     if (parts.any(!open)) return std::make_shared<ThroughHost>(parts);
-    return std::make_shared<GpuToGpu>(std::unique_ptr<const DeviceLink>(open(parts, device::launchQueue().stream())));
+    return std::make_shared<GpuToGpu>(std::unique_ptr<const GpuLink>(open(parts)));
 }
 
 }

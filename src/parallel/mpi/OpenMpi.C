@@ -68,6 +68,12 @@ public:
 
     void exchange(const std::vector<SentPiece>& sent, const std::vector<ReceivedPiece>& received) const override
     {
+        begin(sent, received);
+        end();
+    }
+
+    void begin(const std::vector<SentPiece>& sent, const std::vector<ReceivedPiece>& received) const override
+    {
         requests_.clear();
         for (const ReceivedPiece& piece : received)
         {
@@ -83,8 +89,9 @@ public:
                 MPI_Isend(piece.bytes + first, size, MPI_BYTE, piece.part, tag, MPI_COMM_WORLD, &requests_.emplace_back());
             });
         }
-        MPI_Waitall(int(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
     }
+
+    void end() const override { MPI_Waitall(int(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE); }
 
     void gather(const void* own, std::size_t size, void* all) const override
     {

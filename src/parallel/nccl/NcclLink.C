@@ -18,10 +18,10 @@ void check(ncclResult_t result, const char* what)
     throw std::runtime_error(std::string("NCCL cannot ") + what + ": " + ncclGetErrorString(result));
 }
 
-class NcclLink : public DeviceLink
+class NcclLink : public GpuLink
 {
 public:
-    NcclLink(const Communicator& parts, cudaStream_t stream) : stream_(stream)
+    explicit NcclLink(const Communicator& parts)
     {
         ncclUniqueId id{};
         if (parts.part() == 0) check(ncclGetUniqueId(&id), "begin");
@@ -46,25 +46,25 @@ public:
         return "NCCL " + std::to_string(version / 10000) + "." + std::to_string(version / 100 % 100) + "." + std::to_string(version % 100);
     }
 
-    void exchange(const std::vector<SentPiece>& sent, const std::vector<ReceivedPiece>& received) const override
+    void exchange(const std::vector<SentPiece>& sent, const std::vector<ReceivedPiece>& received, void* stream) const override
     {
+        const auto turn = static_cast<cudaStream_t>(stream);
         if (sent.empty() && received.empty()) return;
         check(ncclGroupStart(), "begin an exchange");
-        for (const SentPiece& piece : sent) check(ncclSend(piece.bytes, piece.size, ncclInt8, piece.part, communicator_, stream_), "send");
-        for (const ReceivedPiece& piece : received) check(ncclRecv(piece.bytes, piece.size, ncclInt8, piece.part, communicator_, stream_), "receive");
+        for (const SentPiece& piece : sent) check(ncclSend(piece.bytes, piece.size, ncclInt8, piece.part, communicator_, turn), "send");
+        for (const ReceivedPiece& piece : received) check(ncclRecv(piece.bytes, piece.size, ncclInt8, piece.part, communicator_, turn), "receive");
         check(ncclGroupEnd(), "exchange");
     }
 
 private:
     ncclComm_t communicator_ = nullptr;
-    cudaStream_t stream_;
 };
 
 }
 
 }
 
-extern "C" shizuku::DeviceLink* openNccl(const shizuku::Communicator& parts, void* stream)
+extern "C" shizuku::GpuLink* openNccl(const shizuku::Communicator& parts)
 {
-    return new shizuku::NcclLink(parts, static_cast<cudaStream_t>(stream));
+    return new shizuku::NcclLink(parts);
 }

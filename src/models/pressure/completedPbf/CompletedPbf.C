@@ -211,8 +211,6 @@ public:
             else raisePressure(liquid, near, walls, stress(liquid), NoTangentialGradient{});
         }
         else raisePressure(liquid, near, walls, NoOrderStress{}, NoTangentialGradient{});
-        liquid.ghosts().copy(liquid.predicted);
-        if (iterations_ == 0) liquid.ghosts().copy(stress_);
         return !steady_.another(liquid, limits_, iterations_);
     }
 
@@ -257,25 +255,31 @@ private:
     // dt over the capillary one; 0 without a tension, which leaves a surface that bears no suction.
     scalar capillarySteps(scalar dt) const { return surface_.suction() > 0 ? dt / capillaryStep_ : 0; }
 
-    // The increase of the pressure at the predicted positions.
+    // The increase of the pressure at the predicted positions. Ghosts have these from the corrections before, but for the first.
     template<class Stress, class Tangential>
     void raisePressure
     (
         Liquid& liquid, const Neighbourhood& near, const Walls& walls, const Stress& stress, const Tangential& tangential
     )
     {
+        Columns read, made{numbersOf(liquid.predicted)};
+        if (Stress::present)
+        {
+            read.push_back(placesOf(liquid.predicted));
+            made.push_back(valuesOf(stress_));
+        }
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
                 const scalar V = liquid.particleVolume();
-                forEachTeam(liquid.owned(), RaisePressure<Kernel, Stress, Tangential>
+                liquid.ghosts().forEachTeam(liquid.owned(), RaisePressure<Kernel, Stress, Tangential>
                 {
                     W, V, V / liquid.latticeSum(), ordering_, controls_.relaxation, controls_.epsilon,
                     dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
                     {extended_->view(), W.h, walls.view(liquid)}, surface_.view(), {plane_.span(), W.h},
                     pressure_.span(), liquid.density.span(), push_.span(), order_.span(), stress, tangential
-                });
+                }, read, made);
             },
             liquid.kernel()
         );
@@ -296,15 +300,17 @@ private:
         Liquid& liquid, const Neighbourhood& near, const Walls& walls, const Stress& stress, const Tangential& tangential
     )
     {
+        Columns made;
+        if (!steady_.enough(iterations_)) made.push_back(placesOf(push_));
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                forEachTeam(liquid.owned(), Displace<Kernel, Stress, Tangential>
+                liquid.ghosts().forEachTeam(liquid.owned(), Displace<Kernel, Stress, Tangential>
                 {
                     W, liquid.particleVolume(), dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
                     push_.span(), oneAngle_, order_.span(), walls.stop(liquid), pressure_.span(), total_.span(), stress, tangential
-                });
+                }, {}, made);
             },
             liquid.kernel()
         );

@@ -116,6 +116,7 @@ public:
     {
         if (iterations_ >= controls_.maxIterations || liquid.isEmpty()) return true;
         if (pressure_ && iterations_ == 0) pressure_->setZero();
+        liquid.ghosts().copy({placesOf(liquid.predicted)}, GhostsOf::lists);
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -129,7 +130,7 @@ public:
             },
             liquid.kernel()
         );
-        liquid.ghosts().copy(multiplier_);
+        liquid.ghosts().copy({valuesOf(multiplier_)}, GhostsOf::lists);
         return !compression_.wantsAnother(liquid, controls_, iterations_);
     }
 

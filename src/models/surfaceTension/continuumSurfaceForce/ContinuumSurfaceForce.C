@@ -98,7 +98,7 @@ public:
 private:
     void add
     (
-        const Liquid& liquid, const Neighbourhood& near, const Walls&, const CurvatureField& field,
+        const Liquid& liquid, const Neighbourhood& near, const Walls&, CurvatureField& field,
         ForceTarget target
     ) override
     {

@@ -155,7 +155,7 @@ public:
 private:
     void add
     (
-        const Liquid& liquid, const Neighbourhood& near, const Walls& walls, const CurvatureField& field,
+        const Liquid& liquid, const Neighbourhood& near, const Walls& walls, CurvatureField& field,
         ForceTarget target
     ) override
     {
@@ -175,7 +175,7 @@ private:
             },
             liquid.kernel()
         );
-        liquid.ghosts().copy(surface_.particles(), deficiency);
+        liquid.ghosts().copy({valuesOf(surface_.particles(), field.curvature), valuesOf(surface_.particles(), deficiency)}, GhostsOf::lists);
         forEachTeam(surface_.particles(), ApplyLaplacePressure
         {
             surface_.kernel(), sigma_, liquid.restDensity(), followed(), near.view(), view, field.normal.span(), field.curvature.span(),

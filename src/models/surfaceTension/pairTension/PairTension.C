@@ -110,7 +110,7 @@ PairTension::PairTension(const Dictionary& coeffs, Liquid& liquid, WallNormals w
 void PairTension::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration)
 {
     computePredictedDensity(liquid, near, walls, density_);
-    liquid.ghosts().copy(density_);
+    liquid.ghosts().copy({valuesOf(density_)}, GhostsOf::lists);
     std::visit
     (
         [&]<class Kernel>(const Kernel& W)
@@ -123,7 +123,7 @@ void PairTension::apply(Liquid& liquid, const Neighbourhood& near, const Walls& 
         },
         liquid.kernel()
     );
-    liquid.ghosts().copy(normal_);
+    liquid.ghosts().copy({valuesOf(normal_)}, GhostsOf::lists);
     forEach(liquid.owned(), PairForce
     {
         {liquid.support()}, coefficients_.cohesion * liquid.particleMass(), coefficients_.area,

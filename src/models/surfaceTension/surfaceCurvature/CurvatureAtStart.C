@@ -71,7 +71,7 @@ CurvatureAtStart::CurvatureAtStart(Liquid& liquid)
 :
     before_(liquid.fields().require<scalar>
     ({
-        .name = "kappa", .dimensions = Dimensions{{0, -1, 0, 0, 0, 0, 0}}, .written = true, .restarted = true, .exchanged = true
+        .name = "kappa", .dimensions = Dimensions{{0, -1, 0, 0, 0, 0, 0}}, .written = true, .restarted = true
     }))
 {}
 
@@ -84,12 +84,11 @@ void CurvatureAtStart::bring(CurvatureField& field, const Liquid& liquid, const 
     {
         view, field.normal.span(), field.curvature.span(), std::as_const(before_).span(), now_.span(), change.span()
     });
-    liquid.ghosts().copy(surface.particles(), change);
+    liquid.ghosts().copy({valuesOf(surface.particles(), change)}, GhostsOf::lists);
     forEachTeam(surface.particles(), TakeBack
     {
         surface.kernel(), near.view(), view, field.normal.span(), change.span(), share, field.curvature.span()
     });
-    liquid.ghosts().copy(surface.particles(), field.curvature);
 }
 
 void CurvatureAtStart::endStep()

@@ -182,7 +182,7 @@ CurvatureField RegressedCurvature::operator()(const Liquid& liquid, const Neighb
     CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
     const FreeSurfaceView view = surface_.view();
     forEach(surface_.particles(), OutwardNormal{surface_.plane(), surface_.steepest(), view, walls.view(liquid), field.normal.span()});
-    liquid.ghosts().copy(surface_.particles(), field.normal);
+    liquid.ghosts().copy({valuesOf(surface_.particles(), field.normal)});
     asShared(near.wide(liquid, surface_.particles(), surface_.position()), [&]<class Search>(const Search& among)
     {
         forEachGroup(surface_.particles(), Regress<Search>
@@ -191,7 +191,6 @@ CurvatureField RegressedCurvature::operator()(const Liquid& liquid, const Neighb
             surface_.particles().indices.span(), extended_->view(), walls.view(liquid), field.curvature.span()
         });
     });
-    liquid.ghosts().copy(surface_.particles(), field.curvature);
     return field;
 }
 

@@ -40,8 +40,9 @@ struct FindTurn
     Span<const Vec3> way, velocity;
     Span<Vec3> before, turn;
 
-    HOST_DEVICE void operator()(int i) const
+    HOST_DEVICE void operator()(int i, Team team) const
     {
+        if (!team.first()) return;
         const Vec3 a = 1 / (dt * dt) * (dt * velocity[i] - way[i]), change = squared(before[i]) > 0 ? a - before[i] : Vec3{};
         turn[i] = change - dot(change, a) / fmax(squared(a), 1e-20f) * a;
         before[i] = a;
@@ -77,7 +78,7 @@ public:
     :
         before_(liquid.fields().require<Vec3>
         ({
-            .name = "stepAcceleration", .dimensions = dimensions::acceleration, .written = true, .restarted = true, .exchanged = true
+            .name = "stepAcceleration", .dimensions = dimensions::acceleration, .written = true, .restarted = true
         }))
     {}
 
@@ -91,13 +92,11 @@ public:
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls&, scalar dt) override
     {
-        liquid.ghosts().copy(liquid.position);
         Buffer<Vec3> turn(liquid.all());
-        forEach(liquid.owned(), FindTurn
+        liquid.ghosts().forEachTeam(liquid.owned(), FindTurn
         {
             dt, std::as_const(way_).span(), std::as_const(liquid.velocity).span(), before_.span(), turn.span()
-        });
-        liquid.ghosts().copy(turn);
+        }, {}, {valuesOf(liquid.position), valuesOf(turn)});
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)

@@ -64,18 +64,16 @@ public:
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
-        liquid.ghosts().copy(liquid.position);
-        liquid.ghosts().copy(liquid.velocity);
         Buffer<Vec3> smoothed(liquid.all());
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                forEachTeam(liquid.owned(), Smooth<Kernel>
+                liquid.ghosts().forEachTeam(liquid.owned(), Smooth<Kernel>
                 {
                     W, controls_.share(dt), liquid.particleVolume(), liquid.position.span(), liquid.velocity.span(), near.view(), noSlip_,
                     controls_.slipAbove(), walls.view(liquid), smoothed.span()
-                });
+                }, {valuesOf(liquid.position), valuesOf(liquid.velocity)}, {});
             },
             liquid.kernel()
         );

@@ -257,8 +257,8 @@ public:
     {
         const scalar share = noise_.share(dt);
         if (liquid.isEmpty() || (nu_ == 0 && share == 0)) return;
-        liquid.ghosts().copy(liquid.position);
         stressed_.resizeDiscarding(liquid.all());
+        placesAreGiven_ = false;
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -281,7 +281,7 @@ private:
         if (!wanted) return nullptr;
         return &liquid.fields().require<scalar>
         ({
-            .name = "wallLayer", .dimensions = dimensions::kinematicViscosity, .written = true, .restarted = true, .exchanged = true
+            .name = "wallLayer", .dimensions = dimensions::kinematicViscosity, .written = true, .restarted = true
         });
     }
 
@@ -330,14 +330,13 @@ private:
     template<bool momentsAreKnown, class Kernel>
     void findStress(const Step<Kernel>& at, Buffer<Vec3>& vectors, Viscosities viscosities)
     {
-        const Ghosts& ghosts = at.liquid.ghosts();
-        ghosts.copy(vectors);
-        forEachTeam(at.liquid.owned(), FindStress<SlopeWeight<Kernel>, momentsAreKnown>
+        Columns read{valuesOf(vectors)};
+        if (!placesAreGiven_) read.push_back(valuesOf(at.liquid.position));
+        placesAreGiven_ = true;
+        at.liquid.ghosts().forEachTeam(at.liquid.owned(), FindStress<SlopeWeight<Kernel>, momentsAreKnown>
         {
             {at.W}, at.liquid.particleVolume(), viscosities, at.x, std::as_const(vectors).span(), at.near, inverse_.view(), stressed_.view()
-        });
-        ghosts.copy(stressed_.velocity);
-        ghosts.copy(stressed_.stress);
+        }, read, {valuesOf(stressed_.velocity), valuesOf(stressed_.stress)});
     }
 
     template<class Kernel>
@@ -435,6 +434,7 @@ private:
     scalar weights_;
     InverseMoments inverse_;
     OwnedStress stressed_;
+    bool placesAreGiven_ = false;           // of ghosts, in this step
     Buffer<Vec3> residual_, product_, direction_, ofDirection_;
     Buffer<Vec3> dragDiagonal_, dragOther_;
     Buffer<ResidualSums> scratch_;
