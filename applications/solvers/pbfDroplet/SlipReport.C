@@ -2,6 +2,7 @@
 #include "SlipReport.H"
 
 #include "core/dictionary/Dictionary.H"
+#include "models/viscosity/newtonian/SlipLength.H"
 
 #include <sstream>
 
@@ -13,11 +14,11 @@ std::string slipReport(const Dictionary& models, double spacing)
     if (models.lookup<std::string>("viscosity") != "newtonian") return {};
     const Dictionary coeffs = models.subDictOrEmpty("newtonianCoeffs");
     if (!coeffs.lookupOr("noSlip", true)) return {};
-    const double given = coeffs.lookupDimensionedOr("slipLength", dimensions::length, 0);
+    const double given = coeffs.lookupDimensionedOr("slipLength", dimensions::length, usualSlipLength);
     std::ostringstream text;
     text << "Contact lines slip over ";
     if (given > 0) text << given << " m, slipLength" << (given < spacing ? "; what lies between it and a spacing holds them as a drag" : "");
-    else text << "up to a spacing, " << spacing << " m; slipLength in newtonianCoeffs gives the liquid's own";
+    else text << "up to a spacing, " << spacing << " m; a slipLength above 0 in newtonianCoeffs would be the liquid's own";
     return text.str();
 }
 

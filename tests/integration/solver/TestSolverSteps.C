@@ -198,7 +198,8 @@ TEST_P(Steps, TheLogTellsOverWhatContactLinesSlip)
         );
         return solve("-dry-run").text;
     };
-    EXPECT_TRUE(holds(log(""), {"Contact lines slip over up to a spacing, 0.001 m; slipLength in newtonianCoeffs gives the liquid's own\n"}));
+    EXPECT_TRUE(holds(log(""), {"Contact lines slip over 1e-09 m, slipLength; what lies between it and a spacing holds them as a drag\n"}));
+    EXPECT_TRUE(holds(log("slipLength 0;"), {"Contact lines slip over up to a spacing, 0.001 m; a slipLength above 0 in newtonianCoeffs would be the liquid's own\n"}));
     EXPECT_TRUE(holds(log("slipLength 1e-8;"), {"slip over 1e-08 m, slipLength; what lies between it and a spacing holds them as a drag\n"}));
     EXPECT_TRUE(holds(log("slipLength 0.002;"), {"Contact lines slip over 0.002 m, slipLength\n"}));
     EXPECT_FALSE(holds(log("noSlip no;"), {"Contact lines slip"}));

@@ -16,8 +16,8 @@
 // V k_ij), and before a system is solved. Translation, rotation and strain pass untouched, and energy is only ever taken. nu may be zero: that is all that is done then.
 //
 //     c: the share of a step; perCapillaryStep, p, that of the time t_c = sqrt(rho d^3/(2 pi sigma)): a step dt takes 1 - (1 - p)^(dt/t_c) where that is more
-//     than c. Walls take -a min(1, s d/(t_c |u_i|)) u_i w of it, w: the kernel density of walls, which are at rest; a: atWalls; s: slipAbove, the speed up to which they
-//     have it wholly: what trembles on a wall comes to rest on it. Without a surface tension p and s are 0 where nothing is said.
+//     than c. Walls take -a (u_i - <u>_i) w of it, less what nu takes by itself; w: the kernel density of walls, <u>: the mean of neighbours by k, a: atWalls. So what
+//     trembles on a wall comes to rest on it, and what runs along it is held by T alone. Without a surface tension p is 0 where nothing is said.
 //
 // Trials: doc/notebook/theory/viscosity.md.
 //
@@ -25,14 +25,13 @@
 //     newtonianCoeffs
 //     {
 //         noSlip              yes;        // no: liquid slides along walls without friction
-//         slipLength          0;          // m, Navier's
+//         slipLength          1e-9;       // m, Navier's
 //         startedLayers       yes;        // no: the velocity rises linearly from a wall to the particle at all times
 //         tolerance           1e-3;
 //         maxIterations       200;
 //         c                   0.2;        // of noise
 //         perCapillaryStep    0.98;
 //         atWalls             1;
-//         slipAbove           0.1;
 //     }
 
 #include "device/Reduce.H"
@@ -41,6 +40,7 @@
 #include "models/smoothing/SmoothingControls.H"
 #include "models/viscosity/Viscosity.H"
 #include "models/viscosity/newtonian/PairStress.H"
+#include "models/viscosity/newtonian/SlipLength.H"
 #include "models/viscosity/newtonian/WallDrag.H"
 
 #include <cmath>
@@ -52,17 +52,30 @@ namespace shizuku
 namespace
 {
 
-// What walls take of noise.
+// What walls take of a particle's velocity against the mean around it.
 template<class Kernel>
 struct NoiseAtWalls
 {
-    Kernel W;
-    scalar share, slipAbove;
+    SlopeWeight<Kernel> k;
+    scalar share;
     WallView walls;
 
-    HOST_DEVICE scalar operator()(int i, Position x, Vec3 u) const
+    // The first lane gets it.
+    HOST_DEVICE Vec3 operator()(int i, Span<const Position> x, Span<const Vec3> velocity, const NeighbourView& near, Team team) const
     {
-        return share > 0 ? share * walls.density(i, x, W) * fmin(slipAbove / fmax(norm(u), 1e-20f), 1) : 0;
+        const scalar taken = share > 0 ? share * walls.density(i, x[i], k.W) : 0;
+        if (!team.anyBeside(taken > 0)) return {};
+        const Vec3 own = velocity[i];
+        Team::Vector sum;
+        Team::Scalar weights{};
+        near.forEach(i, x[i], x, [&](auto j, auto r)
+        {
+            const auto weight = k(norm(r));
+            sum += weight * (own - velocity[j]);
+            weights += weight;
+        }, team);
+        const Vec3 apart = team.sum(sum);
+        return taken / fmax(team.sum(weights), 1e-20f) * apart;
     }
 };
 
@@ -85,9 +98,9 @@ struct TakeOne
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const StressForce stress = stressForce(k, volume, ofRest, i, x, before, near, team);
+        const Vec3 taken = noise(i, x, before.velocity, near, team);
         if (!team.first()) return;
-        const Vec3 from = before.velocity[i];
-        Vec3 u = (1 - noise(i, x[i], from)) * from - dt * stress.force;
+        Vec3 u = before.velocity[i] - taken - dt * stress.force;
         if (held)
         {
             SymmTensor<Vec3> matrix = dt * drag(i, stress.slope);
@@ -231,10 +244,10 @@ class Newtonian : public Viscosity
 public:
     Newtonian(const Dictionary& coeffs, Liquid& liquid)
     :
-        noise_(coeffs, liquid, {.c = 0.2, .perCapillaryStep = 0.98, .slipAbove = 0.1}), atWalls_(shareOf(coeffs, "atWalls", 1)),
+        noise_(coeffs, liquid, {.c = 0.2, .perCapillaryStep = 0.98}, false), atWalls_(shareOf(coeffs, "atWalls", 1)),
         noSlip_(coeffs.lookupOr("noSlip", true)),
         missing_(missingField(coeffs.lookupOr("startedLayers", true) && noSlip_, liquid)),
-        slip_(liquid.units().toScaled(coeffs.lookupDimensionedOr("slipLength", dimensions::length, 0), dimensions::length)),
+        slip_(liquid.units().toScaled(coeffs.lookupDimensionedOr("slipLength", dimensions::length, usualSlipLength), dimensions::length)),
         tolerance_(coeffs.lookupOr("tolerance", 1e-3)),
         maxIterations_(coeffs.lookupOr("maxIterations", 200)),
         nu_(liquid.units().toScaled(liquid.properties().viscosity, dimensions::kinematicViscosity)),
@@ -265,9 +278,10 @@ public:
             {
                 const Step<Kernel> step{W, liquid, std::as_const(liquid.position).span(), near.view(), walls, dt};
                 const scalar ofNoise = share / (2 * dt * weights_);
+                const scalar ofWalls = std::max(share - 2 * dt * weights_ * nu_, scalar(0));
                 const bool atOnce = 8 * dt * nu_ * weights_ <= 0.25f;
                 inverse_.resizeDiscarding(atOnce ? 0 : liquid.all());
-                if (atOnce || share > 0) takeOne(step, atOnce ? Viscosities{nu_, nu_ + ofNoise} : Viscosities{0, ofNoise}, share, atOnce && nu_ > 0);
+                if (atOnce || share > 0) takeOne(step, atOnce ? Viscosities{nu_, nu_ + ofNoise} : Viscosities{0, ofNoise}, ofWalls, atOnce && nu_ > 0);
                 if (!atOnce) solve(step, share > 0);
             },
             liquid.kernel()
@@ -340,13 +354,13 @@ private:
     }
 
     template<class Kernel>
-    void takeOne(const Step<Kernel>& at, Viscosities viscosities, scalar share, bool wallsHold)
+    void takeOne(const Step<Kernel>& at, Viscosities viscosities, scalar ofWalls, bool wallsHold)
     {
         findStress<false>(at, at.liquid.velocity, viscosities);
         forEachTeam(at.liquid.owned(), TakeOne<Kernel>
         {
             {at.W}, at.liquid.particleVolume(), at.dt, viscosities.ofRest, at.x, at.near, stressed_.seen(),
-            {at.W, share * atWalls_, noise_.slipAbove(), at.walls.view(at.liquid)}, wallsHold && isHeld(at.walls), drag(at), at.liquid.velocity.span()
+            {{at.W}, ofWalls * atWalls_, at.walls.view(at.liquid)}, wallsHold && isHeld(at.walls), drag(at), at.liquid.velocity.span()
         });
     }
 

@@ -174,7 +174,7 @@ TEST(Newtonian, FlowsBetweenWallsAsPoiseuilleHasIt)
         RandomNumbers random(3);
         disorder(points, 0.15f, random);
         gap.place(points);
-        const auto model = Viscosity::New(Dictionary::parse("viscosity newtonian; newtonianCoeffs { " + stressAlone + "}"), gap.liquid);
+        const auto model = Viscosity::New(Dictionary::parse("viscosity newtonian; newtonianCoeffs { " + stressAlone + "slipLength 0; }"), gap.liquid);
         const scalar nu = scaledNu(gap), height = 8 * gap.liquid.spacing(), dt = height * height / nu;
         const scalar pull = 8 * nu / (height * height);                 // for a velocity of 1 amid the gap
         const auto places = gap.liquid.position.download();              // where they stay, so that steps may be as long
@@ -225,7 +225,7 @@ TEST(Newtonian, SlipsAsFarAsTheUserSays)
         return sum;
     };
     // Differences of velocities of one, 6e-8 each, beside 0.01 and less; and the step's second order, 1e-4 of it.
-    EXPECT_NEAR(lost("") / expected(0), 1, 1e-2);
+    EXPECT_NEAR(lost("slipLength 0;") / expected(0), 1, 1e-2);
     EXPECT_NEAR(lost("slipLength 1e-3;") / expected(1), 1, 1e-2);
     EXPECT_EQ(lost("noSlip no;"), 0);
     EXPECT_EQ(lost("noSlip no; slipLength 0;"), 0);
@@ -270,7 +270,7 @@ TEST(Newtonian, HoldsWhatHasJustStartedAsStokesDoes)
 {
     LiquidCase flow(liquidOf("1e-6", floorPlane));
     flow.place(latticeBlock(9, 9, 4, 1, {-4, -4, 0.5f}), std::vector<Vec3>(324, {1, 0, 0}));
-    const auto model = Viscosity::New(Dictionary::parse("viscosity newtonian; newtonianCoeffs { " + stressAlone + "}"), flow.liquid);
+    const auto model = Viscosity::New(Dictionary::parse("viscosity newtonian; newtonianCoeffs { " + stressAlone + "slipLength 0; }"), flow.liquid);
     const scalar d = flow.liquid.spacing(), nu = scaledNu(flow), dt = 2e-4f * d * d / nu;
     const auto lost = [&]
     {
@@ -331,19 +331,25 @@ TEST(NoiseOfNewtonian, CalmsSingleParticles)
     EXPECT_LT(lost, 0.2f);
 }
 
-// Walls take part with their share of c, as in XSPH; perCapillaryStep as there.
+// Walls take part with their share of c: of what a particle's velocity differs from those around it, and of nothing else.
 TEST(NoiseOfNewtonian, IsHeldBackByWalls)
 {
-    const auto taken = [](const std::string& coeffs)
+    const auto points = latticeBlock(5, 5, 3, 1, {-2, -2, 0.5f});
+    const std::size_t middle = 12;                              // of the lowest layer
+    const auto after_ = [&](const std::string& coeffs, const std::vector<Vec3>& velocities)
     {
         LiquidCase flow(liquidOf("0", floorPlane));
-        return 1 - after(flow, {{0, 0, 0.5f}}, {{1, 0, 0}}, 0.02f, coeffs)[0].x;
+        return after(flow, points, velocities, 0.02f, coeffs);
     };
-    const scalar whole = taken("c 1; atWalls 1; slipAbove 0;");
+    const std::vector<Vec3> along(points.size(), {1, 0, 0});
+    for (const Vec3 u : after_("c 1; atWalls 1;", along)) EXPECT_LT(norm(u - along[0]), 1e-6);
+
+    std::vector<Vec3> single(points.size());
+    single[middle] = {1, 0, 0};
+    const auto taken = [&](const std::string& coeffs) { return 1 - after_(coeffs, single)[middle].x; };
+    const scalar free = taken("c 1; atWalls 0;"), whole = taken("c 1; atWalls 1;") - free;
     EXPECT_GT(whole, 0.1f);
-    EXPECT_NEAR(taken("c 0.5; perCapillaryStep 0; atWalls 0.3; slipAbove 0;"), 0.15f * whole, 1e-6);
-    EXPECT_EQ(taken("c 1; atWalls 0;"), 0);
-    EXPECT_LT(taken("c 1; atWalls 1; slipAbove 1e-3;"), 0.1f * whole);
+    EXPECT_NEAR(taken("c 1; atWalls 0.3;") - free, 0.3f * whole, 1e-6);
 }
 
 // A word alone means what the ladder validates.
@@ -354,7 +360,7 @@ TEST(NoiseOfNewtonian, WithoutCoefficientsIsWhatWasValidated)
         LiquidCase drop(liquidOf("0", floorPlane));
         return after(drop, latticeBlock(3, 3, 3, 1, {-1, -1, 0.5f}), randomPoints(27, {-1, -1, -1}, {1, 1, 1}, 2), 0.05f, coeffs);
     };
-    const auto bare = result(""), said = result("c 0.2; perCapillaryStep 0.98; atWalls 1; slipAbove 0.1;");
+    const auto bare = result(""), said = result("c 0.2; perCapillaryStep 0.98; atWalls 1;");
     for (std::size_t i = 0; i < bare.size(); ++i) EXPECT_EQ(norm(bare[i] - said[i]), 0) << i;
 }
 
@@ -373,7 +379,7 @@ TEST(Newtonian, RefusesCoefficientsOutOfRange)
 TEST(NoiseOfNewtonian, RefusesCoefficientsOutOfRange)
 {
     LiquidCase drop(liquidOf("0"));
-    for (const std::string coeff : {"c -0.1", "c 1.5", "perCapillaryStep 1.5", "atWalls 2", "slipAbove -1"})
+    for (const std::string coeff : {"c -0.1", "c 1.5", "perCapillaryStep 1.5", "atWalls 2"})
     {
         const Dictionary models = Dictionary::parse("viscosity newtonian; newtonianCoeffs { " + coeff + "; }", "constant/models");
         EXPECT_TRUE(holds(messageOf([&] { Viscosity::New(models, drop.liquid); }), {"constant/models", "out of range"})) << coeff;
