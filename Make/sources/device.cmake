@@ -10,6 +10,7 @@ set(SHIZUKU_DEVICE_SOURCES
     parallel/PartsOfProcess.C
     particles/FieldRegistry.C
     particles/Ghosts.C
+    particles/FileOrder.C
     particles/ParticleFiles.C
     particles/Liquid.C
     neighbours/CellGrid.C

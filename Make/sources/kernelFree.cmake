@@ -4,6 +4,7 @@
 set(SHIZUKU_KERNEL_FREE_SOURCES
     device/Memory.C
     device/ProfileTable.C
+    particles/FileOrder.C
     particles/Units.C
     particles/Liquid.C
     neighbours/Neighbourhood.C

@@ -22,6 +22,12 @@ const Liquid& FlowView::liquid()
     return seen();
 }
 
+const Liquid& FlowView::part()
+{
+    computeDensities();
+    return liquid_;
+}
+
 void FlowView::computeDensities()
 {
     if (densityIsDue_)

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
 namespace shizuku
@@ -183,14 +184,22 @@ void fill(const HostBuffer<T>& host, double unit, std::size_t first, std::span<d
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = host.data()[first + i] * unit;
 }
 
+template<class T>
+HostBuffer<T>& hostBufferOf(AnyHostBuffer& any)
+{
+    if (!std::holds_alternative<HostBuffer<T>>(any)) any = HostBuffer<T>();
+    return std::get<HostBuffer<T>>(any);
 }
 
-void ParticleCopy::take(const ParticleSet& particles, const Units& units)
+}
+
+// copy(values, host buffer) of each field that is written.
+template<class Copy>
+void ParticleCopy::takeFields(const ParticleSet& particles, const Units& units, const Copy& copy)
 {
     name_ = particles.name();
     numbers_ = particles.numbers();
     spacing_ = particles.ownSpacing();
-    count_ = particles.owned();
     std::size_t taken = 0;
     for (const auto& entry : particles.fields().entries())
     {
@@ -199,37 +208,81 @@ void ParticleCopy::take(const ParticleSet& particles, const Units& units)
         Field& field = fields_[taken++];
         field.info = entry->info;
         field.unit = units.of(entry->info.dimensions);
-        std::visit([&](const auto& values) { copy(values, field.values); }, entry->values);
+        std::visit([&]<class T>(const Buffer<T>& values) { copy(values, hostBufferOf<T>(field.values)); }, entry->values);
     }
     fields_.resize(taken);
 }
 
-template<class T>
-void ParticleCopy::copy(const Buffer<T>& values, AnyHostBuffer& target) const
+void ParticleCopy::take(const ParticleSet& particles, const Units& units)
 {
-    if (!std::holds_alternative<HostBuffer<T>>(target)) target = HostBuffer<T>();
-    auto& host = std::get<HostBuffer<T>>(target);
-    host.resizeDiscarding(count_);
-    values.download(host.data(), count_);
+    count_ = all_ = particles.owned();
+    takeFields(particles, units, [&]<class T>(const Buffer<T>& values, HostBuffer<T>& host)
+    {
+        host.resizeDiscarding(int(count_));
+        values.download(host.data(), int(count_));
+    });
+}
+
+void ParticleCopy::takeShare(const ParticleSet& particles, const Units& units, const FileOrder& order)
+{
+    count_ = order.count();
+    first_ = order.first();
+    all_ = order.all();
+    parts_ = &order.parts();
+    takeFields(particles, units, [&](const auto& values, auto& host) { order.bring(values, host); });
+}
+
+FieldSource ParticleCopy::sourceOf(const Field& field) const
+{
+    constexpr FieldType types[] = {FieldType::scalar, FieldType::vector, FieldType::label, FieldType::vector};     // as in AnyHostBuffer
+    const auto portion = [&field](std::size_t first, std::span<double> values)
+    {
+        std::visit([&](const auto& host) { fill(host, field.unit, first, values); }, field.values);
+    };
+    return {types[field.values.index()], field.info.dimensions, count_, portion, field.info.name == "positions" ? spacing_ : 0};
+}
+
+WriteFormat ParticleCopy::formatOf(const Field& field, const WriteFormat& format) const
+{
+    if (std::holds_alternative<HostBuffer<Position>>(field.values)) return format.ofPlaces();
+    WriteFormat ofScalars = format;
+    ofScalars.scalarBits = 8 * sizeof(scalar);
+    return ofScalars;
 }
 
 void ParticleCopy::write(const std::filesystem::path& timeFolder, const WriteFormat& format) const
 {
-    constexpr FieldType types[] = {FieldType::scalar, FieldType::vector, FieldType::label, FieldType::vector};     // as in AnyHostBuffer
-    WriteFormat ofScalars = format;
-    ofScalars.scalarBits = 8 * sizeof(scalar);
+    for (const Field& field : fields_) writeField(timeFolder / name_ / field.info.name, sourceOf(field), formatOf(field, format));
+    if (!numbers_.empty()) writeNumbers(numbers_, numbersFile(timeFolder, name_));
+}
+
+std::function<void()> ParticleCopy::writingShare(const std::filesystem::path& timeFolder, const WriteFormat& format) const
+{
+    std::vector<std::uint64_t> before;          // bytes of the parts before this one, by field
     for (const Field& field : fields_)
     {
-        const auto portion = [&](std::size_t first, std::span<double> values)
-        {
-            std::visit([&](const auto& host) { fill(host, field.unit, first, values); }, field.values);
-        };
-        const double spacing = field.info.name == "positions" ? spacing_ : 0;
-        const FieldSource source{types[field.values.index()], field.info.dimensions, std::size_t(count_), portion, spacing};
-        const bool places = std::holds_alternative<HostBuffer<Position>>(field.values);
-        writeField(timeFolder / name_ / field.info.name, source, places ? format.ofPlaces() : ofScalars);
+        const std::vector<std::uint64_t> bytes = parts_->gather(bytesOf(SharedField{sourceOf(field), first_, all_}, formatOf(field, format)));
+        before.push_back(std::accumulate(bytes.begin(), bytes.begin() + parts_->part(), std::uint64_t(0)));
     }
-    if (!numbers_.empty()) writeNumbers(numbers_, numbersFile(timeFolder, name_));
+    const bool isFirst = parts_->part() == 0;
+    return [this, timeFolder, format, before, isFirst]
+    {
+        for (std::size_t k = 0; k < fields_.size(); ++k)
+        {
+            const Field& field = fields_[k];
+            writeShare(timeFolder / name_ / field.info.name, {sourceOf(field), first_, all_}, before[k], formatOf(field, format));
+        }
+        if (isFirst && !numbers_.empty()) writeNumbers(numbers_, numbersFile(timeFolder, name_));
+    };
+}
+
+// A copy that nobody writes from any more.
+const std::shared_ptr<ParticleCopy>& ParticleWriter::unused()
+{
+    const auto isUnused = [](const std::shared_ptr<ParticleCopy>& copy) { return copy.use_count() == 1; };
+    auto place = std::find_if(copies_.begin(), copies_.end(), isUnused);
+    if (place == copies_.end()) place = copies_.insert(place, std::make_shared<ParticleCopy>());
+    return *place;
 }
 
 std::function<void(const std::filesystem::path&)> ParticleWriter::copy
@@ -237,14 +290,22 @@ std::function<void(const std::filesystem::path&)> ParticleWriter::copy
     const ParticleSet& particles, const Units& units, const WriteFormat& format
 )
 {
-    const auto unused = [](const std::shared_ptr<ParticleCopy>& copy) { return copy.use_count() == 1; };
-    auto place = std::find_if(copies_.begin(), copies_.end(), unused);
-    if (place == copies_.end()) place = copies_.insert(place, std::make_shared<ParticleCopy>());
-    (*place)->take(particles, units);
-    return [copy = std::shared_ptr<const ParticleCopy>(*place), format](const std::filesystem::path& timeFolder)
+    const std::shared_ptr<ParticleCopy>& place = unused();
+    place->take(particles, units);
+    return [copy = std::shared_ptr<const ParticleCopy>(place), format](const std::filesystem::path& timeFolder)
     {
         copy->write(timeFolder, format);
     };
+}
+
+std::function<void()> ParticleWriter::copyShare
+(
+    const ParticleSet& particles, const Units& units, const FileOrder& order, const WriteFormat& format, const std::filesystem::path& timeFolder
+)
+{
+    const std::shared_ptr<ParticleCopy>& place = unused();
+    place->takeShare(particles, units, order);
+    return [copy = std::shared_ptr<const ParticleCopy>(place), write = place->writingShare(timeFolder, format)] { write(); };
 }
 
 }

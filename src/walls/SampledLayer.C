@@ -5,6 +5,7 @@
 #include "particles/ParticleFiles.H"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace shizuku
@@ -32,25 +33,53 @@ struct VirtualVolume
     }
 };
 
+// Of the solid particles: whether they lie in these rows of the liquid's cells.
+struct IsInRows
+{
+    CellGridView cells;
+    RowRectangle rows;
+    Span<const Position> position;
+    Span<std::uint8_t> is;
+
+    HOST_DEVICE void operator()(int k) const
+    {
+        const CellPlace cell = cells.cellPlace(position[k]);
+        is[k] = rows.has(cell.y, cell.z);
+    }
+};
+
+// Values of particles `from` behind each other.
+std::vector<std::uint32_t> chosen(const std::vector<std::uint32_t>& values, const std::vector<std::uint32_t>& from)
+{
+    std::vector<std::uint32_t> result;
+    for (const std::uint32_t k : from) result.push_back(values[k]);
+    return result;
+}
+
 }
 
 SampledLayer::SampledLayer(const std::filesystem::path& casePath, const SourceLocation& asked, const Liquid& liquid)
 :
+    folder_(casePath / "constant/solid"),
     position_(solid_.fields().add<Position>({.name = "positions", .dimensions = dimensions::length, .restarted = true, .begins = true})),
     normal_(solid_.fields().add<Vec3>({.name = "normals", .dimensions = dimensions::none, .restarted = true, .begins = true})),
     volume_(solid_.fields().add<scalar>({.name = "volume", .dimensions = dimensions::volume}))
 {
-    const auto folder = casePath / "constant/solid";
-    if (!std::filesystem::exists(folder / "positions"))
+    if (!std::filesystem::exists(folder_ / "positions"))
     {
         throw FatalInputError
         (
             asked, "There are no solid particles for the walls of type particles: "
-          + (folder / "positions").string() + " is missing", "run sampleSurface first"
+          + (folder_ / "positions").string() + " is missing", "run sampleSurface first"
         );
     }
-    readParticles(solid_, liquid.units(), folder);
+    read(liquid);
+}
 
+// All of them.
+void SampledLayer::read(const Liquid& liquid)
+{
+    all_ = int(readParticles(solid_, liquid.units(), folder_));
     std::vector<std::uint32_t> order(solid_.all());
     std::iota(order.begin(), order.end(), 0u);
     order_.upload(order);
@@ -68,10 +97,41 @@ void SampledLayer::sort(const Liquid& liquid, scalar support, scalar reach)
     reach_ = reach;
     const Buffer<std::uint32_t>& order = grid_->build(position_.span(), solid_.all(), order_.span());
     solid_.fields().reorder(order);
-    std::vector<std::uint32_t> now = order.download();
-    const auto before = order_.download();
-    for (std::uint32_t& k : now) k = before[k];
-    order_.upload(now);
+    order_.upload(chosen(order_.download(), order.download()));
+}
+
+// Lets go of all others, but for one where that are all, so that there is a layer in every part.
+void SampledLayer::keep(const RowRectangle& rows)
+{
+    Buffer<std::uint8_t> is(solid_.all());
+    forEach(solid_.all(), IsInRows{cut_->cells, rows, position_.span(), is.span()});
+    const std::vector<std::uint8_t> stays = is.download();
+    std::vector<std::uint32_t> kept;
+    for (std::size_t k = 0; k < stays.size(); ++k) if (stays[k]) kept.push_back(std::uint32_t(k));
+    if (kept.empty()) kept.push_back(0);
+    solid_.fields().reorder(Buffer<std::uint32_t>(kept));
+    solid_.resize(int(kept.size()));
+    order_ = Buffer<std::uint32_t>(chosen(order_.download(), kept));
+}
+
+bool SampledLayer::follow(const Liquid& liquid)
+{
+    if (!cut_ || solid_.all() == 0) return false;
+    constexpr int margin = 4;                   // rows: so far cuts move without files being read
+    const scalar support = near_->support(), reach = reach_;
+    const RowRectangle wanted = cut_->rows.widened(int(std::ceil(1.001f * std::max(support, reach) * cut_->cells.perCell)));
+    if (held_ && held_->covers(wanted)) return false;
+    if (held_)
+    {
+        const int before = all_;
+        read(liquid);
+        if (all_ != before) throw FatalError("The solid particles in " + folder_.string() + " are others than when the run began: " + std::to_string(all_) + ", not " + std::to_string(before));
+    }
+    held_ = wanted.widened(margin);
+    keep(*held_);
+    sort(liquid, support, reach);
+    if (planes_) planes_.emplace(grid_->view(), reach);
+    return true;
 }
 
 void SampledLayer::computeVirtualVolumes(const Liquid& liquid)

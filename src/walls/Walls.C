@@ -172,14 +172,18 @@ WallAngles Walls::readAngles() const
 void Walls::useAngles(std::optional<WallAngles> angles)
 {
     angles_ = std::move(angles);
-    std::vector<scalar> cosines;
-    if (angles_)
-    {
-        for (int a = 0; a < surfaces_.count; ++a) surfaces_.surface[a].cosTheta = cosine(angles_->surfaces[a]);
-        for (const double theta : angles_->particles) cosines.push_back(cosine(theta));
-    }
-    if (layer_) layer_->useCosines(cosines);
+    for (int a = 0; angles_ && a < surfaces_.count; ++a) surfaces_.surface[a].cosTheta = cosine(angles_->surfaces[a]);
+    giveCosines();
     wetted_ = contactAngles().first < 179.9;
+}
+
+// To the solid particles.
+void Walls::giveCosines()
+{
+    if (!layer_) return;
+    std::vector<scalar> cosines;
+    if (angles_) for (const double theta : angles_->particles) cosines.push_back(cosine(theta));
+    layer_->useCosines(cosines);
 }
 
 void Walls::update(const Liquid& liquid)
@@ -190,7 +194,14 @@ void Walls::update(const Liquid& liquid)
 
 void Walls::search(const Liquid& liquid)
 {
-    if (layer_) layer_->search(liquid);
+    if (!layer_) return;
+    if (layer_->follow(liquid)) giveCosines();
+    layer_->search(liquid);
+}
+
+void Walls::cut(const RowRectangle& rows, const CellGridView& cells)
+{
+    if (layer_) layer_->cut(rows, cells);
 }
 
 bool Walls::cutOff() { return layer_ && layer_->cutOff(); }

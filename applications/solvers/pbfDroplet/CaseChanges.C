@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 namespace shizuku
 {
@@ -61,20 +62,88 @@ Dictionary CaseChanges::readOrEmpty(const std::filesystem::path& file)
     return std::filesystem::exists(file) ? Dictionary::read(file) : Dictionary();
 }
 
+class CaseChanges::Fresh
+{
+public:
+    // Throws FatalInputError. anew: of the contact angles.
+    Fresh(const Time& time, CaseSetup& setup, std::vector<Dictionary> now, const Anew& anew) : former(*setup.liquid), now(std::move(now))
+    {
+        const Dictionary &solution = this->now[0], &liquidDict = this->now[1];
+        Liquid& liquid = *setup.liquid;
+        const LiquidProperties wanted = LiquidProperties::read(solution, liquidDict);
+        solution.subDictOrEmpty("kernel").markUsed();
+        relaxesOverlap(solution);           // of a start
+        liquidDict.refuseUnused();
+        liquid.change(wanted.viscosity, wanted.surfaceTension);
+        models.emplace(time.casePath(), solution, liquid, *setup.walls);
+        solution.refuseUnused();
+        if (liquid.parts().parts() > 1) models->refuseParts();
+        if (!models->angles || setup.walls->particles() == 0) return;
+        const std::optional<WallAngles>& angles = setup.walls->angles();
+        if (anew.wettability) models->angles->particles = caseTheta(time.casePath());
+        else if (!anew.theta && angles) models->angles->particles = angles->particles;
+    }
+
+    // What has been read.
+    std::string text() const
+    {
+        std::ostringstream text;
+        text << std::hexfloat << textOf(models->dict);
+        for (const Dictionary& dict : now) text << textOf(dict);
+        for (const double component : models->bodyForce->uniform()) text << component << ' ';
+        if (!models->angles) return text.str();
+        for (const std::vector<double>* of : {&models->angles->surfaces, &models->angles->particles})
+        {
+            for (const double theta : *of) text << theta << ' ';
+        }
+        return text.str();
+    }
+
+    // Of the liquid, what is put back.
+    struct Former
+    {
+        explicit Former(Liquid& liquid) : liquid(&liquid), properties(liquid.properties()), fields(liquid.fields().infos()) {}
+        Former(Former&& other) noexcept : liquid(std::exchange(other.liquid, nullptr)), properties(other.properties), fields(std::move(other.fields)) {}
+        Former& operator=(Former&&) = delete;
+        ~Former()
+        {
+            if (!liquid) return;
+            liquid->change(properties.viscosity, properties.surfaceTension);
+            liquid->fields().restore(fields);
+        }
+
+        Liquid* liquid;                     // nothing: all stays as it is now
+        LiquidProperties properties;
+        FieldRegistry::Infos fields;
+    };
+
+    Former former;
+    std::vector<Dictionary> now;
+    std::optional<Models> models;           // behind `former`: they go before their fields
+};
+
 bool CaseChanges::apply(const Time& time, CaseSetup& setup)
 {
     if (!time.modifiable()) return false;
     const Communicator& parts = setup.liquid->parts();
-    const std::uint32_t changed = parts.fold(Changed{look()}).files;
+    std::uint32_t changed = parts.fold(Changed{look()}).files;
     if (changed == 0) return false;
-    awaitSameFiles(parts, files());
-    if (parts.parts() > 1) look();              // who sees the same files later
-    const std::string names = note(changed, time.casePath());
+    setup.models->pressure->complete();
+    std::string names;
+    std::optional<Fresh> fresh;
     try
     {
-        make(time, setup);
-        anew_ = {};
-        return true;
+        readTheSame(parts, [&]
+        {
+            fresh.reset();
+            changed = parts.fold(Changed{changed | look()}).files;      // what is changed from here on is seen in the next step
+            names = note(changed, time.casePath());
+            std::vector<Dictionary> now = readAll();
+            refuseFixed(dictionaries_[0].former, now[0]);
+            refuseFixed(dictionaries_[1].former, now[1]);
+            fresh.emplace(time, setup, std::move(now), anew_);
+            return fresh->text();
+        });
     }
     catch (const FatalInputError& error)
     {
@@ -84,6 +153,9 @@ bool CaseChanges::apply(const Time& time, CaseSetup& setup)
         );
         return false;
     }
+    take(time, setup, std::move(*fresh));
+    anew_ = {};
+    return true;
 }
 
 // A bit each of the dictionaries that have changed, and one for the angles.
@@ -94,12 +166,11 @@ std::uint32_t CaseChanges::look()
     return changed | std::uint32_t(theta_ && theta_->changed()) << dictionaries_.size();
 }
 
-std::vector<std::filesystem::path> CaseChanges::files() const
+std::vector<Dictionary> CaseChanges::readAll() const
 {
-    std::vector<std::filesystem::path> files;
-    for (const Watched& dictionary : dictionaries_) files.push_back(dictionary.file.path());
-    if (theta_) files.push_back(theta_->path());
-    return files;
+    std::vector<Dictionary> now;
+    for (const Watched& dictionary : dictionaries_) now.push_back(readOrEmpty(dictionary.file.path()));
+    return now;
 }
 
 // What there is to be made anew; the names of the files.
@@ -122,53 +193,19 @@ std::string CaseChanges::note(std::uint32_t changed, const std::filesystem::path
     return names;
 }
 
-void CaseChanges::make(const Time& time, CaseSetup& setup)
+void CaseChanges::take(const Time& time, CaseSetup& setup, Fresh fresh)
 {
-    Liquid& liquid = *setup.liquid;
     Walls& walls = *setup.walls;
-    Models& models = *setup.models;
-    std::vector<Dictionary> now;
-    for (const Watched& dictionary : dictionaries_) now.push_back(readOrEmpty(dictionary.file.path()));
-    refuseFixed(dictionaries_[0].former, now[0]);
-    refuseFixed(dictionaries_[1].former, now[1]);
-
-    // Everything that may be wrong is read before anything is changed.
-    const Dictionary solution = readOrEmpty(dictionaries_[0].file.path());
-    const Dictionary liquidDict = readOrEmpty(dictionaries_[1].file.path());
-    const LiquidProperties former = liquid.properties(), wanted = LiquidProperties::read(solution, liquidDict);
-    solution.subDictOrEmpty("kernel").markUsed();
-    relaxesOverlap(solution);           // of a start
-    liquidDict.refuseUnused();
-    // The models are made with the new values in force, and nothing stays of these where a model cannot be made.
     const std::optional<WallAngles> formerAngles = walls.angles();
-    const FieldRegistry::Infos formerFields = liquid.fields().infos();
-    models.pressure->complete();
-    liquid.change(wanted.viscosity, wanted.surfaceTension);
-    try
-    {
-        Models fresh(time.casePath(), solution, liquid, walls);
-        solution.refuseUnused();
-        if (liquid.parts().parts() > 1) fresh.refuseParts();
-        if (fresh.angles && walls.particles() > 0)
-        {
-            if (anew_.wettability) fresh.angles->particles = caseTheta(time.casePath());
-            else if (!anew_.theta && formerAngles) fresh.angles->particles = formerAngles->particles;
-        }
-        models = std::move(fresh);
-    }
-    catch (...)
-    {
-        liquid.change(former.viscosity, former.surfaceTension);
-        liquid.fields().restore(formerFields);
-        throw;
-    }
-    models.takeEffect(liquid, walls);
+    fresh.former.liquid = nullptr;
+    *setup.models = std::move(*fresh.models);
+    setup.models->takeEffect(*setup.liquid, walls);
     const std::optional<WallAngles>& angles = walls.angles();
     const bool otherTheta = angles && formerAngles && angles->particles != formerAngles->particles;
     if (otherTheta) written_ = std::make_shared<const std::vector<double>>(angles->particles);
 
     std::cout << "The case has changed, the models were made anew\n";
-    takeOver(time, now);
+    takeOver(time, fresh.now);
     if (otherTheta)
     {
         std::cout << "    solid/theta: " << rangeOf(formerAngles->particles) << " -> " << rangeOf(angles->particles) << " degrees\n";

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SameFiles.H"
 
+#include "core/dictionary/Differences.H"
 #include "core/messages/Error.H"
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <functional>
-#include <iterator>
-#include <string>
+#include <exception>
+#include <optional>
+#include <sstream>
 #include <thread>
 
 namespace shizuku
@@ -17,40 +17,70 @@ namespace shizuku
 namespace
 {
 
-// Of what is in them; a file that is not there has no contents.
-std::size_t digest(const std::vector<std::filesystem::path>& files)
+struct Read
 {
-    std::string all;
-    for (const auto& file : files)
-    {
-        std::ifstream stream(file, std::ios::binary);
-        all.append(std::istreambuf_iterator<char>(stream), {});
-        all += '\n';
-    }
-    return std::hash<std::string>()(all);
-}
+    std::size_t digest = 0;
+    bool failed = false;
+
+    bool operator==(const Read&) const = default;
+};
 
 }
 
-void awaitSameFiles(const Communicator& parts, const std::vector<std::filesystem::path>& files)
+void readTheSame(const Communicator& parts, const std::function<std::string()>& read)
 {
-    if (parts.parts() == 1) return;
-    constexpr int attempts = 300;
-    for (int attempt = 0; attempt < attempts; ++attempt)
+    using namespace std::chrono_literals;
+    const auto end = std::chrono::steady_clock::now() + 30s;
+    for (auto pause = 1ms;; pause = std::min(2 * pause, 100ms))
     {
-        const std::vector<std::size_t> all = parts.gather(digest(files));
-        if (std::all_of(all.begin(), all.end(), [&](std::size_t each) { return each == all.front(); })) return;
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        Read own;
+        std::exception_ptr failure;
+        try
+        {
+            own.digest = std::hash<std::string>()(read());
+        }
+        catch (const FatalInputError&)
+        {
+            failure = std::current_exception();
+            own.failed = true;
+        }
+        const std::vector<Read> all = parts.gather(own);
+        const bool same = std::all_of(all.begin(), all.end(), [&](const Read& each) { return each == all.front(); });
+        if (same && failure) std::rethrow_exception(failure);
+        if (same) return;
+        if (parts.any(std::chrono::steady_clock::now() > end)) break;
+        std::this_thread::sleep_for(pause);
     }
-    throw FatalError("The parts of the run do not see the same contents of " + files.front().string() + " and what is read with it");
+    throw FatalError("The parts of the run do not read the same in the case's dictionaries, which have changed");
+}
+
+std::string textOf(const Dictionary& dict)
+{
+    std::ostringstream text;
+    for (const EntryChange& entry : differences(Dictionary(), dict)) text << entry.entry << ' ' << entry.after << '\n';
+    return text.str();
 }
 
 bool readIfModified(Time& time, const Communicator& parts)
 {
     if (!parts.any(time.modified())) return false;
-    awaitSameFiles(parts, {time.casePath() / "system/controlDict"});
-    if (parts.parts() > 1) time.modified();     // who sees the same file later
-    return time.readAnew();
+    std::optional<Time::ControlDict> now;
+    try
+    {
+        readTheSame(parts, [&]
+        {
+            time.modified();                    // what is changed from here on is seen in the next step
+            now = time.readControlDict();
+            return textOf(now->dict) + textOf(now->checked);
+        });
+    }
+    catch (const FatalInputError& error)
+    {
+        Time::leaveOut(error);
+        return false;
+    }
+    time.follow(*now);
+    return true;
 }
 
 }

@@ -33,7 +33,7 @@ namespace shizuku
 namespace
 {
 
-// Part 0 writes, prints, and has the function objects: what these look at is gathered there.
+// Part 0 prints, and has the function objects: what these look at is gathered there. Each part writes its share of a time.
 void pbfDroplet(const Arguments& args, const Communicator& parts)
 {
     const bool isCut = parts.parts() > 1, isFirst = parts.part() == 0;
@@ -54,6 +54,8 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     if (isCut) liquid.ghosts().join(parts);
     setup.readParticles(time);
     if (isCut) balance.begin(liquid, near);
+    const auto cutWalls = [&] { if (isCut && !cutting.sameBits) setup.walls->cut(balance.cut().rowsOf(parts.part()), near.grid().view()); };
+    cutWalls();
     FlowView flow(time, liquid, near, *setup.walls, *setup.models);
     if (isCut) flow.cut(isFirst ? setup.emptyLiquid() : nullptr);
     if (cutting.sameBits) shareAsOf(flow.particles());
@@ -73,7 +75,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     std::optional<CaseLock> alone;
     if (isFirst) alone.emplace(args.casePath());
     if (time.index() == 0) step.settle();
-    CaseWriter writer(isFirst);
+    CaseWriter writer(parts);
     ProfileReport profile(args.found("profile"));
     const StopSignals signals;
     std::cout << "Ready for the first step after " << clockTime() << " s" << std::endl;
@@ -90,6 +92,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         const SubSteps steps = divideOrRefuse(time, step, setup, writer);
         time.advance();
         balance.keep(liquid, near);
+        cutWalls();
         step.make(steps);
         flow.moved(steps.dt);
         interruption = stopWhereSignalled(time, signals, parts);
@@ -102,7 +105,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
 
         if (time.writeDue()) setup.models->pressure->complete();
         if (isCut && densitiesAreDue) flow.state();
-        if (time.writeDue() || functions.lookAtParticles(time)) flow.gather();
+        if (functions.lookAtParticles(time)) flow.gather();
         if (isFirst) functions.execute(flow);
         stopWhereAsked(time, functions, parts);
         if (isFirst && time.reportDue()) reportStep(steps, flow, *setup.outlets, functions);

@@ -142,16 +142,20 @@ void writeAtomically(const fs::path& file, const std::function<void(std::ostream
 
 void writeFolderAtomically(const fs::path& folder, const std::function<void(const fs::path&)>& write)
 {
-    if (fs::exists(folder) && !fs::is_directory(folder)) fail(folder, "it is there and is not a folder");
+    const fs::path temporary = partialPath(folder);
+    const Removal removal(temporary);
+    makePartialFolder(folder);
+    write(temporary);
+    putFolderInPlace(folder);
+}
 
+void makePartialFolder(const fs::path& folder)
+{
+    if (fs::exists(folder) && !fs::is_directory(folder)) fail(folder, "it is there and is not a folder");
     const fs::path temporary = partialPath(folder);
     std::error_code error;
     fs::remove_all(temporary, error);
     makeFolder(temporary, folder);
-    const Removal removal(temporary);
-
-    write(temporary);
-    putFolderInPlace(folder);
 }
 
 void putFolderInPlace(const fs::path& folder)

@@ -24,14 +24,18 @@ BackgroundWriter::~BackgroundWriter()
 
 void BackgroundWriter::start()
 {
-    using namespace std::chrono_literals;
-    const bool done = underWay_.valid() && underWay_.wait_for(0s) == std::future_status::ready;
-    if (done || !added_.empty()) wait();
+    if (isIdle() || !added_.empty()) wait();
     if (added_.empty()) return;
     underWay_ = std::async(std::launch::async, [jobs = std::exchange(added_, {})]
     {
         for (const WriteJob& job : jobs) job();
     });
+}
+
+bool BackgroundWriter::isIdle() const
+{
+    using namespace std::chrono_literals;
+    return !underWay_.valid() || underWay_.wait_for(0s) == std::future_status::ready;
 }
 
 void BackgroundWriter::finish()

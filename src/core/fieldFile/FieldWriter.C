@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fieldFile/AtomicFile.H"
 #include "core/fieldFile/FieldFile.H"
+#include "core/fieldFile/FileBuffer.H"
 #include "core/fieldFile/FoamFileHeader.H"
 #include "core/messages/Error.H"
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <sstream>
 
 namespace shizuku
 {
@@ -67,7 +69,7 @@ void appendElement(std::string& text, const double* values, FieldType type, int 
     text += ')';
 }
 
-void writeAscii(std::ostream& stream, FieldType type, std::span<const double> values, int precision)
+std::string textOf(FieldType type, std::span<const double> values, int precision)
 {
     std::string text;
     for (std::size_t i = 0; i < values.size(); i += componentsOf(type))
@@ -75,7 +77,7 @@ void writeAscii(std::ostream& stream, FieldType type, std::span<const double> va
         appendElement(text, values.data() + i, type, precision);
         text += '\n';
     }
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+    return text;
 }
 
 template<class T>
@@ -85,25 +87,30 @@ void writeBinary(std::ostream& stream, std::span<const double> values)
     stream.write(reinterpret_cast<const char*>(raw.data()), static_cast<std::streamsize>(raw.size() * sizeof(T)));
 }
 
-void writeList
-(
-    std::ostream& stream, const std::filesystem::path& file, const FieldSource& source, const WriteFormat& format
-)
+// Asks for all values, in portions. take(first element, values)
+template<class Take>
+void forPortions(const FieldSource& source, const Take& take)
 {
-    stream << (format.binary ? "(" : "\n(\n");
     std::vector<double> buffer(std::min(portion, source.elements) * componentsOf(source.type));
     for (std::size_t first = 0; first < source.elements; first += portion)
     {
-        const std::size_t count = std::min(portion, source.elements - first) * componentsOf(source.type);
-        const std::span<double> values(buffer.data(), count);
+        const std::span<double> values(buffer.data(), std::min(portion, source.elements - first) * componentsOf(source.type));
         source.fill(first, values);
-        checkValues(file, source.type, first, values, format);
-        if (!format.binary) writeAscii(stream, source.type, values, format.precision);
+        take(first, values);
+    }
+}
+
+// before: elements of other shares, for messages.
+void writeElements(std::ostream& stream, const std::filesystem::path& file, const FieldSource& source, std::size_t before, const WriteFormat& format)
+{
+    forPortions(source, [&](std::size_t first, std::span<const double> values)
+    {
+        checkValues(file, source.type, before + first, values, format);
+        if (!format.binary) stream << textOf(source.type, values, format.precision);
         else if (source.type == FieldType::label) writeBinary<std::int32_t>(stream, values);
         else if (format.scalarBits == 64) writeBinary<double>(stream, values);
         else writeBinary<float>(stream, values);
-    }
-    stream << ")";
+    });
 }
 
 // What the header says of the field besides its type.
@@ -115,33 +122,33 @@ std::string metaOf(double spacing)
     return text + ";";
 }
 
-// write(stream): what stands behind internalField.
-void writeFile
-(
-    const std::filesystem::path& file, FieldType type, const Dimensions& dimensions, double spacing,
-    const WriteFormat& format,
-    const std::function<void(std::ostream&)>& write
-)
+// Up to what stands behind internalField.
+void writeHead(std::ostream& stream, const std::filesystem::path& file, FieldType type, const Dimensions& dimensions, double spacing, const WriteFormat& format)
 {
     const std::string arch = "LSB;label=32;scalar=" + std::to_string(format.scalarBits);
-    writeAtomically(file, [&](std::ostream& stream)
-    {
-        writeFoamFileHeader(stream, file, typeName(type) + "Field", format.binary ? arch : "", metaOf(spacing));
-        stream << "dimensions      " << dimensions.str() << ";\n\ninternalField   ";
-        write(stream);
-        stream << ";\n";
-    });
+    writeFoamFileHeader(stream, file, typeName(type) + "Field", format.binary ? arch : "", metaOf(spacing));
+    stream << "dimensions      " << dimensions.str() << ";\n\ninternalField   ";
 }
+
+// Up to the first one of so many elements, and what stands behind the last.
+void beginList(std::ostream& stream, const std::filesystem::path& file, const FieldSource& source, std::size_t elements, const WriteFormat& format)
+{
+    writeHead(stream, file, source.type, source.dimensions, source.spacing, format);
+    stream << "nonuniform List<" << typeName(source.type) << "> " << elements << (format.binary ? "(" : "\n(\n");
+}
+
+void endList(std::ostream& stream) { stream << ");\n"; }
 
 void writeUniform(const std::filesystem::path& file, const FieldData& field, const WriteFormat& format)
 {
     if (field.elements() != 1) throw FatalError("Cannot write " + file.string() + ": a uniform field has one element");
     checkValues(file, field.type, 0, field.values, format);
-    writeFile(file, field.type, field.dimensions, field.spacing, format, [&](std::ostream& stream)
+    writeAtomically(file, [&](std::ostream& stream)
     {
         std::string value;
         appendElement(value, field.values.data(), field.type, format.precision);
-        stream << "uniform " << value;
+        writeHead(stream, file, field.type, field.dimensions, field.spacing, format);
+        stream << "uniform " << value << ";\n";
     });
 }
 
@@ -149,11 +156,38 @@ void writeUniform(const std::filesystem::path& file, const FieldData& field, con
 
 void writeField(const std::filesystem::path& file, const FieldSource& source, const WriteFormat& format)
 {
-    writeFile(file, source.type, source.dimensions, source.spacing, format, [&](std::ostream& stream)
+    writeAtomically(file, [&](std::ostream& stream)
     {
-        stream << "nonuniform List<" << typeName(source.type) << "> " << source.elements;
-        writeList(stream, file, source, format);
+        beginList(stream, file, source, source.elements, format);
+        writeElements(stream, file, source, 0, format);
+        endList(stream);
     });
+}
+
+void writeShare(const std::filesystem::path& file, const SharedField& share, std::uint64_t before, const WriteFormat& format)
+{
+    std::ostringstream head;
+    beginList(head, file, share.own, share.elements, format);
+    const bool isFirst = share.first == 0, isLast = share.first + share.own.elements == share.elements;
+    FileBuffer buffer(file, isFirst ? 0 : head.str().size() + before);
+    const auto refuse = [&](const std::string& reason) { throw FatalError("Cannot write " + file.string() + ": " + reason); };
+    if (!buffer.failure().empty()) refuse(buffer.failure());
+    std::ostream stream(&buffer);
+    if (isFirst) stream << head.str();
+    writeElements(stream, file, share.own, share.first, format);
+    if (isLast) endList(stream);
+    if (!buffer.close()) refuse(buffer.failure());
+    if (!stream) refuse("the output stream failed");
+}
+
+std::uint64_t bytesOf(const SharedField& share, const WriteFormat& format)
+{
+    const FieldSource& own = share.own;
+    const std::uint64_t each = own.type != FieldType::label && format.scalarBits == 64 ? sizeof(double) : sizeof(float);
+    if (format.binary) return own.elements * componentsOf(own.type) * each;
+    std::uint64_t bytes = 0;
+    forPortions(own, [&](std::size_t, std::span<const double> values) { bytes += textOf(own.type, values, format.precision).size(); });
+    return bytes;
 }
 
 void writeField(const std::filesystem::path& file, const FieldData& field, const WriteFormat& format)

@@ -17,6 +17,13 @@ FileBuffer::FileBuffer(const std::filesystem::path& file)
     setp(buffer_.data(), buffer_.data() + buffer_.size());
 }
 
+FileBuffer::FileBuffer(const std::filesystem::path& file, std::uint64_t begin)
+    : descriptor_(::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666)), buffer_(1 << 16)
+{
+    if (descriptor_ < 0 || ::lseek(descriptor_, off_t(begin), SEEK_SET) < 0) keepReason();
+    setp(buffer_.data(), buffer_.data() + buffer_.size());
+}
+
 FileBuffer::~FileBuffer()
 {
     if (descriptor_ >= 0) ::close(descriptor_);

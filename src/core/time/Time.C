@@ -219,9 +219,9 @@ bool Time::reportDue() const
     return state_.index % controls_.reportInterval == 0 || writeDue();
 }
 
-WriteJob Time::writing(std::function<void(const fs::path&)> fill)
+// Folders that are to be removed once this one is written.
+std::vector<fs::path> Time::noteWritten(const fs::path& folder)
 {
-    const fs::path folder = path();
     refuseRemoved(case_);
     if (folder == startFolder_)
     {
@@ -235,7 +235,13 @@ WriteJob Time::writing(std::function<void(const fs::path&)> fill)
         surplus.push_back(written_.front());
         written_.erase(written_.begin());
     }
-    return [folder, surplus, fill = std::move(fill), state = state_]
+    return surplus;
+}
+
+WriteJob Time::writing(std::function<void(const fs::path&)> fill)
+{
+    const fs::path folder = path();
+    return [folder, surplus = noteWritten(folder), fill = std::move(fill), state = state_]
     {
         writeFolderAtomically(folder, [&](const fs::path& temporary)
         {
@@ -244,6 +250,18 @@ WriteJob Time::writing(std::function<void(const fs::path&)> fill)
         });
         for (const fs::path& old : surplus) removeFolderAtomically(old);
     };
+}
+
+Time::SharedWriting Time::sharedWriting()
+{
+    const fs::path folder = path(), temporary = partialPath(folder);
+    const auto end = [folder, temporary, surplus = noteWritten(folder), state = state_]
+    {
+        writeTimeState(temporary, state);
+        putFolderInPlace(folder);
+        for (const fs::path& old : surplus) removeFolderAtomically(old);
+    };
+    return {temporary, [folder] { makePartialFolder(folder); }, end};
 }
 
 std::string Time::name() const
@@ -256,26 +274,42 @@ fs::path Time::path() const
     return state_.index == start_.index ? startFolder_ : case_ / name();
 }
 
-bool Time::readAnew()
+bool Time::readIfModified()
 {
+    if (!modified()) return false;
     try
     {
-        const Dictionary dict = Dictionary::read(file_.path()), checked = Dictionary::read(file_.path());
-        const Controls controls = readControls(checked);
-        checkEnd(controls, checked, start_.value);
-        warnOfPrecision(controls, checked);
-        std::cout << "Read " << file_.path().string() << " anew, it has changed\n";
-        for (const EntryChange& change : differences(dict_, dict)) reportChange(change);
-        std::cout << std::flush;
-        dict_ = dict;
-        use(controls);
+        follow(readControlDict());
+        return true;
     }
     catch (const FatalInputError& error)
     {
-        warning(std::string(error.what()) + "\nThe change of controlDict is left out, the former values stay in force");
+        leaveOut(error);
         return false;
     }
-    return true;
+}
+
+Time::ControlDict Time::readControlDict() const
+{
+    ControlDict now{Dictionary::read(file_.path()), Dictionary::read(file_.path()), {}};
+    now.controls = readControls(now.checked);
+    checkEnd(now.controls, now.checked, start_.value);
+    return now;
+}
+
+void Time::follow(const ControlDict& now)
+{
+    warnOfPrecision(now.controls, now.checked);
+    std::cout << "Read " << file_.path().string() << " anew, it has changed\n";
+    for (const EntryChange& change : differences(dict_, now.dict)) reportChange(change);
+    std::cout << std::flush;
+    dict_ = now.dict;
+    use(now.controls);
+}
+
+void Time::leaveOut(const FatalInputError& error)
+{
+    warning(std::string(error.what()) + "\nThe change of controlDict is left out, the former values stay in force");
 }
 
 std::string Time::progress() const

@@ -57,8 +57,10 @@ TEST(BackgroundWriter, WritesBehindTheCaller)
     writer.start();                             // nothing new: nothing to wait for
     EXPECT_EQ(log, "");
     EXPECT_EQ(writer.waited(), 0);
+    EXPECT_FALSE(writer.isIdle());
     gate.opened.set_value();
     writer.finish();
+    EXPECT_TRUE(writer.isIdle());
     EXPECT_EQ(log, "slow");
 }
 

@@ -192,6 +192,48 @@ TEST(FieldFile, ReadsTheElementsThatAreChosen)
     EXPECT_EQ(readField(folder.path() / "U", [](std::size_t) { return ElementRange{5, 9}; }).values, (std::vector<double>{1, 2, 3}));
 }
 
+// Shares of a field, written in any order, are the file of one process to the byte; one without elements adds nothing.
+TEST(FieldFile, SharesMakeTheFileOfOneProcess)
+{
+    const ScratchFolder folder;
+    std::vector<double> values;
+    for (const float value : manyFloats(3*50000)) values.push_back(value);
+    const std::size_t all = values.size()/3, ends[] = {0, 17, 17, 40000, all};
+    for (const WriteFormat& format : {WriteFormat{}, WriteFormat{.binary = true}, WriteFormat{.binary = true, .scalarBits = 64}})
+    {
+        SCOPED_TRACE(format.binary ? format.scalarBits : 0);
+        FieldData whole = vectorField(values);
+        whole.spacing = 1e-3;
+        writeField(folder.path()/"whole/U", whole, format);
+        const auto share = [&](int k)
+        {
+            const auto fill = [&values, first = ends[k]](std::size_t from, std::span<double> some)
+            {
+                std::copy_n(values.begin() + long(3*(first + from)), some.size(), some.begin());
+            };
+            return SharedField{{FieldType::vector, dimensions::velocity, ends[k + 1] - ends[k], fill, 1e-3}, ends[k], all};
+        };
+        fs::create_directory(folder.path()/".whole.partial");           // files name their folder as it will be
+        for (const int k : {3, 1, 0, 2})
+        {
+            std::uint64_t before = 0;
+            for (int other = 0; other < k; ++other) before += bytesOf(share(other), format);
+            writeShare(folder.path()/".whole.partial/U", share(k), before, format);
+        }
+        EXPECT_EQ(folder.read(".whole.partial/U"), folder.read("whole/U"));
+        fs::remove_all(folder.path()/".whole.partial");
+    }
+}
+
+TEST(FieldFile, AShareThatCannotBeWrittenNamesItsElement)
+{
+    const ScratchFolder folder;
+    const auto fill = [](std::size_t, std::span<double> values) { values[4] = NAN; };
+    const SharedField share{{FieldType::vector, dimensions::velocity, 2, fill}, 10, 12};
+    EXPECT_TRUE(holds(messageOf<FatalError>([&] { writeShare(folder.path()/"U", share, 0, {}); }), {"of element 11 is not a finite number"}));
+    EXPECT_TRUE(holds(messageOf<FatalError>([&] { writeShare(folder.path()/"none/U", share, 0, {}); }), {"none/U: No such file"}));
+}
+
 TEST(FieldFile, UniformFieldsHaveOneElement)
 {
     const ScratchFolder folder;

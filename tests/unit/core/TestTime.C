@@ -239,6 +239,38 @@ TEST(Time, AFailedWriteLeavesTheFormerTimes)
     EXPECT_EQ(folder.list(), (Names{"0", "system"}));
 }
 
+// Two processes of a run, of which one makes the folder and gives it its name; what is purged goes with it.
+TEST(Time, AFolderThatSeveralFillAppearsWhole)
+{
+    const Case folder("purgeWrite 1; " + tenSteps);
+    Time time(folder.path()), other(folder.path(), false);
+    const auto advanced = [&](const std::string& text)
+    {
+        time.advance();
+        other.advance();
+        const Time::SharedWriting own = time.sharedWriting(), others = other.sharedWriting();
+        EXPECT_EQ(own.folder, others.folder);
+        own.begin();
+        EXPECT_EQ(folder.list(own.folder.filename().string()), Names{});
+        fs::create_directory(others.folder / "liquid");
+        EXPECT_FALSE(fs::exists(time.path())) << text;
+        own.end();
+    };
+    advanced("first");
+    EXPECT_EQ(folder.list(), (Names{"0", "0.1", "system"}));
+    const std::string state = folder.read("0.1/uniform/time");
+    EXPECT_EQ(other.lastWritten(), folder.path() / "0.1");
+    advanced("second");
+    EXPECT_EQ(folder.list(), (Names{"0", "0.2", "system"}));
+    EXPECT_EQ(folder.list("0.2"), (Names{"liquid", "uniform"}));
+
+    const Case alone(tenSteps);
+    Time one(alone.path());
+    one.advance();
+    one.writing([](const fs::path&) {})();
+    EXPECT_EQ(state, alone.read("0.1/uniform/time"));
+}
+
 TEST(Time, NeverReplacesTheFolderItStartedFrom)
 {
     const Case folder(tenSteps);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/ParticleFiles.H"
 
+#include "parallel/PartsOfProcess.H"
 #include "support/LiquidCase.H"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -89,6 +92,59 @@ TEST(ParticleFiles, HoldSIValuesOfOwnedParticles)
     ASSERT_EQ(positions.elements(), 2u);
     EXPECT_EQ(positions(0, 0), drop.liquid.units().length);         // powers of two, short enough for nine digits
     EXPECT_EQ(positions(1, 1), -3 * drop.liquid.units().length);
+}
+
+// Particles lie in any part; keys are shared by some of them, and numbers decide then. Parts without particles write as much as the others.
+TEST(ParticleFiles, SharesOfPartsAreTheFilesOfOneProcess)
+{
+    constexpr int n = 2000;
+    const std::vector<Vec3> places = awkwardVectors(n, 3), velocities = awkwardVectors(n, 4);
+    const auto keyOf = [](int particle) { return std::uint32_t(particle) * 2654435761u >> 22; };
+    const auto fill = [&](Liquid& liquid, const std::vector<std::uint32_t>& which)
+    {
+        std::vector<Vec3> x, u;
+        for (const std::uint32_t i : which) x.push_back(places[i]), u.push_back(velocities[i]);
+        liquid.resize(int(which.size()));
+        liquid.position.upload(placed(x));
+        liquid.velocity.upload(u);
+        liquid.id.upload(which);
+        liquid.number("age", 0) = 7;
+    };
+    LiquidCase whole;
+    std::vector<std::uint32_t> all(n);
+    std::iota(all.begin(), all.end(), 0u);
+    std::sort(all.begin(), all.end(), [&](std::uint32_t a, std::uint32_t b) { return std::pair(keyOf(int(a)), a) < std::pair(keyOf(int(b)), b); });
+    fill(whole.liquid, all);
+
+    const ScratchFolder folder;
+    for (const WriteFormat& format : {WriteFormat{}, WriteFormat{.binary = true}})
+    {
+        SCOPED_TRACE(format.binary);
+        ParticleWriter().copy(whole.liquid, whole.liquid.units(), format)(folder.path() / "1");
+        std::filesystem::create_directories(folder.path() / ".1.partial/liquid");
+        runParts(4, [&](const Communicator& parts)
+        {
+            std::vector<std::uint32_t> own;             // part 2 has none
+            for (int i = 0; i < n; ++i) if ((i % 7 + i / 1500) % 4 == parts.part() && parts.part() != 2) own.push_back(std::uint32_t(i));
+            for (int i = 0; i < n; ++i) if ((i % 7 + i / 1500) % 4 == 2 && parts.part() == 0) own.push_back(std::uint32_t(i));
+            LiquidCase part;
+            fill(part.liquid, own);
+            part.liquid.ghosts().join(parts);
+            std::vector<std::uint32_t> keys;
+            for (const std::uint32_t i : own) keys.push_back(keyOf(int(i)));
+            const FileOrder order(parts, Buffer<std::uint32_t>(keys), part.liquid.id, part.liquid.owned());
+            EXPECT_EQ(order.all(), std::size_t(n));
+            EXPECT_EQ(order.count(), std::size_t(n / 4));
+            EXPECT_EQ(order.first(), std::size_t(n / 4 * parts.part()));
+            ParticleWriter writer;
+            writer.copyShare(part.liquid, part.liquid.units(), order, format, folder.path() / ".1.partial")();
+        });
+        for (const std::string file : {"liquid/positions", "liquid/U", "liquid/id", "liquid/densityRatio", "uniform/liquid"})
+        {
+            EXPECT_EQ(folder.read(".1.partial/" + file), folder.read("1/" + file)) << file;
+        }
+        std::filesystem::remove_all(folder.path() / ".1.partial");
+    }
 }
 
 TEST(ParticleFiles, NumberParticlesThatHaveNoId)

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fstream>
@@ -46,7 +47,7 @@ CaseText textOf(const Scene& scene)
         return text;
     }
     text.walls = sampledFloor;
-    text.solidPositions = latticeBlock(31, 31, 1, 0.8f, {-12, -12, -0.5f});
+    text.solidPositions = latticeBlock(31, 91, 1, 0.8f, {-12, -36, -0.5f});       // so long that parts hold some of them
     text.solidTheta.assign(text.solidPositions.size(), 60);
     return text;
 }
@@ -116,6 +117,8 @@ public:
         return states;
     }
 
+    int heldSolid() const { return walls.view(liquid).particles.position.size; }
+
     std::filesystem::path writeOutlets(const std::string& text) const
     {
         folder.write("constant/outlets", text);
@@ -131,6 +134,7 @@ struct Cut
     std::vector<State> states;
     int mostMoved = 0;                  // particles that came to a part, or left it, in a step
     int withLiquid = 0;                 // parts, in the end
+    int mostSolid = 0;                  // particles that a part holds
 };
 
 Cut runCut(const Scene& scene, const RowCut& cut)
@@ -144,6 +148,7 @@ Cut runCut(const Scene& scene, const RowCut& cut)
         if (parts.part() > 0) drop.liquid.resize(0);            // the first search brings them what is theirs
         drop.liquid.ghosts().join(parts);
         drop.near.cut(cut);
+        drop.walls.cut(cut.rowsOf(parts.part()), drop.near.grid().view());
         drop.models->refuseParts();
         const std::vector<State> own = drop.run(scene.steps);
         const std::lock_guard lock(mutex);
@@ -158,6 +163,7 @@ Cut runCut(const Scene& scene, const RowCut& cut)
             result.mostMoved = std::max(result.mostMoved, moved);
         }
         result.withLiquid += !own.back().empty();
+        result.mostSolid = std::max(result.mostSolid, drop.heldSolid());
     });
     return result;
 }
@@ -204,6 +210,10 @@ void expectSameBits(const Scene& scene, const std::vector<Method>& methods)
         const RowCut rowCut = method.cut(rows);
         const Cut cut = runCut(scene, rowCut);
         EXPECT_GT(cut.mostMoved, 0);
+        if (scene.sampled && !rowCut.isAcross(true))        // a part below may see all of the floor
+        {
+            EXPECT_LT(cut.mostSolid, whole.heldSolid());
+        }
         EXPECT_GE(cut.withLiquid, rowCut.parts() - 1);      // the last row may have lost its particles: a part without any is none that fails
         for (std::size_t k = 0; k < states.size(); ++k)
         {
@@ -273,6 +283,27 @@ TEST(TestParts, OutletsTakeOutTheSame)
     EXPECT_LT(behind, before);
     EXPECT_EQ(double(before - behind), drop.liquid.numbers().at(Outlets::numberOf("out")));
     expectSameBits(scene, {slabs(3, false)});
+}
+
+// Rows far from the liquid, then its own: what was let go of is there again, with the same bits.
+TEST(TestParts, SolidParticlesAreThoseOfTheRows)
+{
+    const Scene scene{"default", "", true, 2};
+    CutDrop whole(scene), part(scene);
+    const SharedAsOf all(whole.liquid.owned());
+    RowRectangle own{1000, -1000};
+    for (const RowLoad& load : part.rows())
+    {
+        own.lowY = std::min(own.lowY, load.y);
+        own.highY = std::max(own.highY, load.y + 1);
+    }
+    part.walls.cut({own.highY + 11, own.highY + 12}, part.near.grid().view());
+    part.walls.search(part.liquid);
+    EXPECT_LT(part.heldSolid(), whole.heldSolid() / 2);
+    part.walls.cut(own, part.near.grid().view());
+    EXPECT_EQ(differing(part.run(scene.steps).back(), whole.run(scene.steps).back()), 0);
+    EXPECT_LT(part.heldSolid(), whole.heldSolid());
+    EXPECT_EQ(part.walls.particles(), whole.walls.particles());
 }
 
 TEST(TestParts, ModelsThatReadNeighboursWithoutGhostsAreRefused)
