@@ -16,6 +16,7 @@ set(SHIZUKU_DEVICE_SOURCES
     neighbours/CellGrid.C
     neighbours/Neighbourhood.C
     neighbours/PartsOfLiquid.C
+    neighbours/LayerCut.C
     neighbours/RowCut.C
     neighbours/WholeLiquid.C
     walls/HalfSpace.C

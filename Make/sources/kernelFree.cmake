@@ -8,6 +8,7 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     particles/Units.C
     particles/Liquid.C
     neighbours/Neighbourhood.C
+    neighbours/LayerCut.C
     neighbours/RowCut.C
     neighbours/WholeLiquid.C
     parallel/PartsOfProcess.C

@@ -172,7 +172,7 @@ Buffer<std::uint32_t> CellGrid::build
 )
 {
     const int mine = owned ? owned->points : n;
-    own_ = owned ? owned->rows : OwnRows();
+    own_ = owned ? owned->rows : RowRectangle();
     chooseSize(n, mine < n);
     start_.setZero();
     wide_.setZero();

@@ -24,30 +24,30 @@ struct Choose
     HOST_DEVICE void operator()(int k) const { chosen[k] = of[int(places[k])]; }
 };
 
-struct NotOfPart
+struct NotIn
 {
     CellGridView grid;
-    OwnRows own;
+    RowRectangle rows;
     Span<const Position> x;
     Span<std::uint8_t> is;
 
     HOST_DEVICE void operator()(int i) const
     {
         const CellPlace cell = grid.cellPlace(x[i]);
-        is[i] = !own.has(cell.y, cell.z);
+        is[i] = !rows.has(cell.y, cell.z);
     }
 };
 
 // A particle that another part owns next, and the row that it is in.
 struct Leaver
 {
-    std::uint32_t index, row;
+    std::uint32_t index;
+    int y, z;
 };
 
 struct FindLeaver
 {
     CellGridView grid;
-    RowCut cut;
     Span<const std::uint32_t> index;
     Span<const Position> x;
     Span<Leaver> leaver;
@@ -55,36 +55,17 @@ struct FindLeaver
     HOST_DEVICE void operator()(int k) const
     {
         const std::uint32_t i = index[k];
-        leaver[k] = {i, std::uint32_t(cut.rowOf(grid.cellPlace(x[int(i)])))};
-    }
-};
-
-// Whether other parts see what is in one's rows.
-struct SeenByOthers
-{
-    CellGridView grid;
-    RowCut cut;
-    OwnRows own;
-    bool areBelow, areAbove;                    // others
-    int rows;
-    Span<const Position> x;
-    Span<std::uint8_t> is;
-
-    HOST_DEVICE void operator()(int i) const
-    {
-        const int row = cut.rowOf(grid.cellPlace(x[i]));
-        is[i] = (areBelow && row < own.low + rows) || (areAbove && row >= own.high - rows);
+        const CellPlace cell = grid.cellPlace(x[int(i)]);
+        leaver[k] = {i, cell.y, cell.z};
     }
 };
 
 // Those that one part sees: in lists of neighbours, or beyond.
 struct SeenBy
 {
-    static constexpr int nextRow = 1;           // what lists have lies there at most: cells are as wide as their support
-
     CellGridView grid;
-    RowCut cut;
-    int part, rows;
+    RowRectangle rows;                          // of the part
+    scalar support, reach;
     bool inLists;
     Span<const std::uint32_t> index;
     Span<const Position> x;
@@ -92,8 +73,8 @@ struct SeenBy
 
     HOST_DEVICE void operator()(int k) const
     {
-        const int row = cut.rowOf(grid.cellPlace(x[int(index[k])]));
-        is[k] = cut.sees(part, row, nextRow) ? inLists : !inLists && cut.sees(part, row, rows);
+        const scalar distance2 = grid.squaredDistance(rows, grid.cellPlace(x[int(index[k])]));
+        is[k] = distance2 < support * support ? inLists : !inLists && distance2 < reach * reach;
     }
 };
 
@@ -114,10 +95,10 @@ bool isExchanged(const FieldInfo& info) { return info.exchanged; }
 // Records on the host, of particles that go to each part.
 std::vector<Bytes> byPart(const RowCut& cut, const std::byte* records, std::size_t record, const std::vector<Leaver>& leavers)
 {
-    std::vector<Bytes> result(cut.parts);
+    std::vector<Bytes> result(cut.parts());
     for (const Leaver& leaver : leavers)
     {
-        Bytes& of = result[cut.partOf(int(leaver.row))];
+        Bytes& of = result[cut.partOf(leaver.y, leaver.z)];
         of.insert(of.end(), records, records + record);
         records += record;
     }
@@ -191,7 +172,7 @@ void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid)
 {
     const Span<const Position> x = std::as_const(liquid.predicted).span();
     Buffer<std::uint8_t> is(liquid.owned());
-    const int count = choose(NotOfPart{grid, cut_.rowsOf(liquid.parts().part()), x, is.span()}, is);
+    const int count = choose(NotIn{grid, cut_.rowsOf(liquid.parts().part()), x, is.span()}, is);
 
     // Records, and behind them who it is: one copy to the host.
     FieldRegistry& fields = liquid.fields();
@@ -201,7 +182,7 @@ void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid)
     std::byte* const records = reinterpret_cast<std::byte*>(taken.span().data);
     const Span<const std::uint32_t> indices{selection_.indices.span().data, count};
     pack(columns, indices, records);
-    forEach(count, FindLeaver{grid, cut_, indices, x, {reinterpret_cast<Leaver*>(records + ofRecords), count}});
+    forEach(count, FindLeaver{grid, indices, x, {reinterpret_cast<Leaver*>(records + ofRecords), count}});
     const std::vector<RecordLine> lines = taken.download();
     const auto* const gone = reinterpret_cast<const std::byte*>(lines.data());
     std::vector<Leaver> leavers(count);
@@ -218,12 +199,14 @@ void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid)
     if (places.owned < liquid.owned()) liquid.resize(places.owned);
 }
 
-void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGridView& grid, int rows)
+void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach)
 {
-    const int part = liquid.parts().part(), owned = liquid.owned();
+    const CellGridView cells = grid.view();
+    const int part = liquid.parts().part(), owned = liquid.owned(), rows = grid.cellsWithin(reach);
+    const std::vector<int> near = cut_.partsNear(part, rows);
     const Span<const Position> x = std::as_const(liquid.predicted).span();
     Buffer<std::uint8_t> is(owned);
-    const int all = choose(SeenByOthers{grid, cut_, cut_.rowsOf(part), part > 0, part + 1 < cut_.parts, rows, x, is.span()}, is);
+    const int all = near.empty() ? 0 : choose(NotIn{cells, cut_.rowsOf(part).widened(-rows), x, is.span()}, is);      // at the edge
     const Span<const std::uint32_t> seen{selection_.indices.span().data, all};
 
     // All are asked for before the first is waited for.
@@ -236,18 +219,17 @@ void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGridView& grid, int rows
     };
     std::vector<List> lists;
     is.resizeDiscarding(all);
-    for (int other = 0; other < cut_.parts; ++other)
+    for (const int other : near)
     {
-        if (other == part || !cut_.seesOf(other, part, rows)) continue;
         for (const bool inLists : {true, false})
         {
             if (counts_.size() == lists.size()) counts_.emplace_back();
             List& list = lists.emplace_back(List{other, inLists, {}, 0});
-            forEach(all, SeenBy{grid, cut_, other, rows, inLists, seen, x, is.span()});
+            forEach(all, SeenBy{cells, cut_.rowsOf(other), cells.widened(liquid.support()), cells.widened(reach), inLists, seen, x, is.span()});
             select(is, list.places, all, counts_[lists.size() - 1]);
         }
     }
-    std::vector<Ghosts::Seen> counts(cut_.parts);
+    std::vector<Ghosts::Seen> counts(cut_.parts());
     int sum = 0;
     for (std::size_t k = 0; k < lists.size(); ++k)
     {
@@ -268,11 +250,11 @@ void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGridView& grid, int rows
     ghosts.copy(columnsOf(liquid.fields(), isExchanged));
 }
 
-void PartsOfLiquid::bring(Liquid& liquid, const CellGridView& grid, int rows)
+void PartsOfLiquid::bring(Liquid& liquid, const CellGrid& grid, scalar reach)
 {
     liquid.resize(liquid.owned());              // without the ghosts of the search before
-    migrate(liquid, grid);
-    addGhosts(liquid, grid, rows);
+    migrate(liquid, grid.view());
+    addGhosts(liquid, grid, reach);
 }
 
 }

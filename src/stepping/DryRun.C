@@ -26,12 +26,12 @@ double secondsOf(const std::function<void()>& work)
 }
 
 // A line a part.
-std::string ofParts(const std::vector<std::size_t>& bytes, const std::vector<int>& particles)
+std::string ofParts(const std::vector<std::size_t>& bytes, const std::vector<int>& particles, const std::vector<int>& ghosts)
 {
     std::ostringstream text;
     for (std::size_t part = 0; part < bytes.size(); ++part)
     {
-        text << "    part " << std::left << std::setw(12) << part << ": " << particles[part] << " particles, " << bytes[part] / 1048576.0 << " MiB\n";
+        text << "    part " << std::left << std::setw(12) << part << ": " << particles[part] << " particles, " << ghosts[part] << " ghosts, " << bytes[part] / 1048576.0 << " MiB\n";
     }
     return text.str();
 }
@@ -75,14 +75,14 @@ void reportDryRun
 {
     const RunForecast forecast = forecastRun(time, control, liquid, walls, models, maxSpeed, 0, cut);
     const std::vector<std::size_t> bytes = liquid.parts().gather(forecast.bytes);
-    const std::vector<int> particles = liquid.parts().gather(liquid.owned());
+    const std::vector<int> particles = liquid.parts().gather(liquid.owned()), ghosts = liquid.parts().gather(liquid.all() - liquid.owned());
     const std::size_t most = std::max_element(bytes.begin(), bytes.end()) - bytes.begin();
     const double megabytes = bytes[most] / 1048576.0;
     std::cout
         << "\nDry run, nothing is written\n"
         << "memory on the device : " << megabytes << " MiB of " << device.memoryBytes / 1048576.0 << " MiB ("
         << bytes[most] / std::max(1, particles[most]) << " bytes a liquid particle)" << (bytes.size() > 1 ? ", of the part that needs most\n" : "\n")
-        << (bytes.size() > 1 ? ofParts(bytes, particles) : "")
+        << (bytes.size() > 1 ? ofParts(bytes, particles, ghosts) : "")
         << "steps                : " << forecast.subSteps << " of " << forecast.subStep.dt << " s, limited by "
         << forecast.subStep.limit << '\n'
         << "time a step          : " << 1e3 * forecast.secondsPerSubStep << " ms, measured on the first steps\n"

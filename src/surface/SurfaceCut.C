@@ -35,9 +35,9 @@ std::optional<int> SurfaceCut::above() const
 
 SurfaceCut cutSurface(const std::vector<Position>& share, const BlockMapView& map, const Communicator& parts)
 {
-    ParticlesOfRows counts;
+    ParticlesOfLayers counts;
     for (const Position& p : share) ++counts[int(map.blockAt(placeOf(p).z))];
-    return {parts, cutEvenly(addUp(counts, parts), parts.parts(), true)};
+    return {parts, cutEvenly(addUp(counts, parts), parts.parts())};
 }
 
 std::vector<Position> bringToLayers(const std::vector<Position>& share, const SurfaceCut& cut, const BlockMapView& map, std::int64_t halo)

@@ -37,7 +37,7 @@ struct VirtualVolume
 struct IsInRows
 {
     CellGridView cells;
-    OwnRows rows;
+    RowRectangle rows;
     Span<const Position> position;
     Span<std::uint8_t> is;
 
@@ -47,19 +47,6 @@ struct IsInRows
         is[k] = rows.has(cell.y, cell.z);
     }
 };
-
-// With so many rows more at each end that there is.
-OwnRows widened(OwnRows rows, int by)
-{
-    if (rows.low != OwnRows().low) rows.low -= by;
-    if (rows.high != OwnRows().high) rows.high += by;
-    return rows;
-}
-
-bool covers(const OwnRows& rows, const OwnRows& others)
-{
-    return rows.acrossZ == others.acrossZ && rows.low <= others.low && rows.high >= others.high;
-}
 
 // Values of particles `from` behind each other.
 std::vector<std::uint32_t> chosen(const std::vector<std::uint32_t>& values, const std::vector<std::uint32_t>& from)
@@ -114,7 +101,7 @@ void SampledLayer::sort(const Liquid& liquid, scalar support, scalar reach)
 }
 
 // Lets go of all others, but for one where that are all, so that there is a layer in every part.
-void SampledLayer::keep(const OwnRows& rows)
+void SampledLayer::keep(const RowRectangle& rows)
 {
     Buffer<std::uint8_t> is(solid_.all());
     forEach(solid_.all(), IsInRows{cut_->cells, rows, position_.span(), is.span()});
@@ -132,15 +119,15 @@ bool SampledLayer::follow(const Liquid& liquid)
     if (!cut_ || solid_.all() == 0) return false;
     constexpr int margin = 4;                   // rows: so far cuts move without files being read
     const scalar support = near_->support(), reach = reach_;
-    const OwnRows wanted = widened(cut_->rows, int(std::ceil(1.001f * std::max(support, reach) * cut_->cells.perCell)));
-    if (held_ && covers(*held_, wanted)) return false;
+    const RowRectangle wanted = cut_->rows.widened(int(std::ceil(1.001f * std::max(support, reach) * cut_->cells.perCell)));
+    if (held_ && held_->covers(wanted)) return false;
     if (held_)
     {
         const int before = all_;
         read(liquid);
         if (all_ != before) throw FatalError("The solid particles in " + folder_.string() + " are others than when the run began: " + std::to_string(all_) + ", not " + std::to_string(before));
     }
-    held_ = widened(wanted, margin);
+    held_ = wanted.widened(margin);
     keep(*held_);
     sort(liquid, support, reach);
     if (planes_) planes_.emplace(grid_->view(), reach);

@@ -199,7 +199,7 @@ void Walls::search(const Liquid& liquid)
     layer_->search(liquid);
 }
 
-void Walls::cut(const OwnRows& rows, const CellGridView& cells)
+void Walls::cut(const RowRectangle& rows, const CellGridView& cells)
 {
     if (layer_) layer_->cut(rows, cells);
 }

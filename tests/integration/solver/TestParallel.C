@@ -153,19 +153,29 @@ TEST_P(Parallel, FollowsWhatIsChangedWhileItRuns)
     EXPECT_TRUE(holds(process.log(), {"\nEnd\n"}));
 }
 
-// Cut across y, along which it moves by several times its width.
+// Cut across y, along which it moves by several times its width, or across y and z.
 TEST_P(Parallel, CutsTheLiquidAnewWhereItHasMoved)
 {
     fill({0, 1, 0});
     control("endTime 30e-3; writeInterval 30; reportInterval 30;");
-    write("system/decomposeParDict", "direction y;\nrebalanceAbove 0.05;\n");
     ASSERT_EQ(solve().status, 0);
     const Contents whole = contents("0.03");
-    removeResults();
-    const Outcome outcome = run(parallel(2));
-    ASSERT_EQ(outcome.status, 0) << outcome.text;
-    EXPECT_TRUE(holds(outcome.text, {"Parts  : 2, cut across y", "The liquid is cut anew: the largest part had "}));
-    EXPECT_TRUE(same(whole, contents("0.03")));
+    const auto expectCutAnew = [&](int ranks, const std::string& dict, const std::string& cut)
+    {
+        SCOPED_TRACE(dict);
+        removeResults();
+        write("system/decomposeParDict", dict);
+        const Outcome outcome = run(parallel(ranks));
+        ASSERT_EQ(outcome.status, 0) << outcome.text;
+        EXPECT_TRUE(holds(outcome.text, {cut, "The liquid is cut anew: the largest part had "}));
+        EXPECT_TRUE(same(whole, contents("0.03")));
+    };
+    expectCutAnew(2, "method rows;\ndirection y;\nrebalanceAbove 0.05;\n", "Parts  : 2, cut across y,");
+    expectCutAnew
+    (
+        4, "method hierarchical;\nhierarchicalCoeffs { n (1 2 2); order zyx; }\nprocessorWeights (2 1 1 1);\nrebalanceAbove 0.2;\nrebalanceInterval 5;\n",
+        "Parts  : 4, cut across y and z,"
+    );
 }
 
 TEST_P(Parallel, RunsWithMoreRanksThanRowsOfLiquid)
@@ -174,9 +184,10 @@ TEST_P(Parallel, RunsWithMoreRanksThanRowsOfLiquid)
     ASSERT_EQ(solve().status, 0);
     const Contents whole = contents("0.002");
     removeResults();
+    write("system/decomposeParDict", "method rows;\n");
     const Outcome outcome = run(parallel(6));
     ASSERT_EQ(outcome.status, 0) << outcome.text;
-    EXPECT_TRUE(holds(outcome.text, {"There are 6 parts and ", "some parts have none"}));
+    EXPECT_TRUE(holds(outcome.text, {" of 6 parts have no liquid: it lies in ", " rows of cells, which stay whole"}));
     EXPECT_TRUE(same(whole, contents("0.002")));
 }
 
@@ -193,11 +204,23 @@ TEST_P(Parallel, RefusesWhatItCannotDoOnceAndLeavesTheCase)
         EXPECT_TRUE(same(kept, contents()));
     };
     write("system/decomposeParDict", "method scotch;\n");
-    refused({"scotch", "liquid moves", "system/decomposeParDict at line 1", "rows", "simple"});
+    refused({"scotch", "liquid moves", "system/decomposeParDict at line 1", "bisection", "rows", "simple", "hierarchical"});
     write("system/decomposeParDict", "method lines;\n");
-    refused({"lines", "system/decomposeParDict at line 1", "rows", "simple"});
+    refused({"lines", "system/decomposeParDict at line 1", "bisection", "rows", "simple", "hierarchical"});
     write("system/decomposeParDict", "method simple;\nsimpleCoeffs { n (3 1 1); }\n");
-    refused({"rows of cells along x stay whole", "(1 N 1)"});
+    refused({"rows of cells along x stay whole", "(1 M N)"});
+    write("system/decomposeParDict", "method hierarchical;\nhierarchicalCoeffs { n (1 2 2); order yx; }\n");
+    refused({"yx", "system/decomposeParDict at line 2", "xyz", "zyx"});
+    write("system/decomposeParDict", "method hierarchical;\nhierarchicalCoeffs { n (1 2 2); }\n");
+    refused({"has 4 parts, and there are 3 processes"});
+    write("system/decomposeParDict", "direction z;\n");
+    refused({"The method bisection chooses directions by itself", "system/decomposeParDict at line 1", "method rows"});
+    write("system/decomposeParDict", "processorWeights (1 0 1);\n");
+    refused({"Each part is to have some liquid", "system/decomposeParDict at line 1"});
+    write("system/decomposeParDict", "numberOfSubdomains 3;\nprocessorWeights (1 1);\n");
+    refused({"weights of 2 parts, and there are 3", "system/decomposeParDict at line 2"});
+    write("system/decomposeParDict", "rebalanceInterval 0;\n");
+    refused({"These are no steps", "system/decomposeParDict at line 1"});
     write("system/decomposeParDict", "numberOfSubdomains 4;\n");
     refused({"has 4 parts, and there are 3 processes", "mpirun -np 4"});
     write("system/decomposeParDict", "rebalanceAbove -1;\n");
@@ -214,13 +237,14 @@ TEST_P(Parallel, ADryRunTellsWhatEachRankNeeds)
     const Contents kept = contents();
     const Outcome outcome = run(parallel(3, "-dry-run"));
     ASSERT_EQ(outcome.status, 0) << outcome.text;
-    const std::regex line("part (\\d) +: (\\d+) particles, ([0-9.e+-]+) MiB");
+    const std::regex line("part (\\d) +: (\\d+) particles, (\\d+) ghosts, ([0-9.e+-]+) MiB");
     int ranks = 0, all = 0;
     for (std::sregex_iterator next(outcome.text.begin(), outcome.text.end(), line), end; next != end; ++next)
     {
         EXPECT_EQ(std::stoi((*next)[1]), ranks++);
         all += std::stoi((*next)[2]);
-        EXPECT_GT(std::stod((*next)[3]), 0);
+        EXPECT_GT(std::stoi((*next)[3]), 0);
+        EXPECT_GT(std::stod((*next)[4]), 0);
     }
     EXPECT_EQ(ranks, 3) << outcome.text;
     EXPECT_EQ(all, particles);

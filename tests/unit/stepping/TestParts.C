@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <mutex>
 
@@ -28,7 +29,7 @@ using State = std::map<std::uint32_t, std::array<std::int64_t, 6>>;         // b
 struct Scene
 {
     std::string set, moreModels;
-    bool sampled, acrossZ;
+    bool sampled;
     int steps;
     std::string nu = "1e-6";            // m2/s
     std::string outlets = {};
@@ -64,16 +65,16 @@ public:
         return liquid.units().toScaled(std::min(0.5 * liquid.properties().capillaryStep(), models->pressure->stepLimit()), dimensions::time);
     }
 
-    std::vector<int> rows(bool acrossZ) const
+    RowLoads rows() const
     {
         const CellGridView grid = near.grid().view();
-        std::vector<int> result;
+        RowLoads loads;
         for (const Position p : liquid.position.download())
         {
             const CellPlace cell = grid.cellPlace(p);
-            result.push_back(acrossZ ? cell.z : cell.y);
+            loads.push_back({cell.y, cell.z, 1});
         }
-        return result;
+        return sortedLoads(loads);
     }
 
     // The owned particles.
@@ -132,7 +133,7 @@ Cut runCut(const Scene& scene, const RowCut& cut)
     Cut result;
     result.states.resize(scene.steps + 1);
     std::mutex mutex;
-    runParts(cut.parts, [&](const Communicator& parts)
+    runParts(cut.parts(), [&](const Communicator& parts)
     {
         CutDrop drop(scene);
         if (parts.part() > 0) drop.liquid.resize(0);            // the first search brings them what is theirs
@@ -172,22 +173,39 @@ struct SharedAsOf
     ~SharedAsOf() { shareAsOf(0); }
 };
 
-void expectSameBits(const Scene& scene, std::initializer_list<int> counts)
+struct Method
+{
+    std::string name;
+    std::function<RowCut(const RowLoads&)> cut;
+};
+
+Method bisected(int parts)
+{
+    return {"bisected " + std::to_string(parts), [=](const RowLoads& loads) { return cutBisected(loads, parts); }};
+}
+
+Method slabs(int parts, bool acrossZ)
+{
+    return {"slabs " + std::to_string(parts), [=](const RowLoads& loads) { return cutPencils(loads, parts, 1, acrossZ); }};
+}
+
+void expectSameBits(const Scene& scene, const std::vector<Method>& methods)
 {
     CutDrop whole(scene);
     const SharedAsOf all(whole.liquid.owned());
-    const std::vector<int> rows = whole.rows(scene.acrossZ);
+    const RowLoads rows = whole.rows();
     const std::vector<State> states = whole.run(scene.steps);
-    for (const int parts : counts)
+    for (const Method& method : methods)
     {
-        SCOPED_TRACE(scene.set + ", parts " + std::to_string(parts));
-        const Cut cut = runCut(scene, cutEvenly(rows, parts, scene.acrossZ));
+        SCOPED_TRACE(scene.set + ", " + method.name);
+        const RowCut rowCut = method.cut(rows);
+        const Cut cut = runCut(scene, rowCut);
         EXPECT_GT(cut.mostMoved, 0);
-        if (scene.sampled)
+        if (scene.sampled && !rowCut.isAcross(true))        // a part below may see all of the floor
         {
             EXPECT_LT(cut.mostSolid, whole.heldSolid());
         }
-        EXPECT_GE(cut.withLiquid, parts - 1);       // the last row may have lost its particles: a part without any is none that fails
+        EXPECT_GE(cut.withLiquid, rowCut.parts() - 1);      // the last row may have lost its particles: a part without any is none that fails
         for (std::size_t k = 0; k < states.size(); ++k)
         {
             ASSERT_EQ(cut.states[k].size(), states[k].size()) << "step " << k;
@@ -200,60 +218,80 @@ void expectSameBits(const Scene& scene, std::initializer_list<int> counts)
 
 TEST(TestParts, DefaultHasTheBitsOfTheWhole)
 {
-    expectSameBits({"default", "", true, false, 12}, {2, 3, 5});
-    expectSameBits({"default", "", false, true, 12}, {2, 3});
+    expectSameBits({"default", "", true, 12}, {bisected(2), bisected(3), bisected(5), slabs(3, false)});
+    expectSameBits({"default", "", false, 12}, {slabs(2, true), bisected(4)});
+}
+
+// Pieces that see each other at corners alone, parts of a few rows, and parts that have none.
+TEST(TestParts, AnyCutHasTheBitsOfTheWhole)
+{
+    expectSameBits
+    (
+        {"default", "", false, 6},
+        {
+            bisected(8), slabs(4, false),
+            {"pencils, first across y", [](const RowLoads& loads) { return cutPencils(loads, 2, 3, false); }},
+            {"pencils, first across z", [](const RowLoads& loads) { return cutPencils(loads, 2, 2, true); }},
+            {"straight", [](const RowLoads& loads) { return cutStraight(loads, 2, 2); }},
+            {"weighted", [](const RowLoads& loads) { return cutBisected(loads, 3, {1, 2, 4}); }},
+        }
+    );
 }
 
 // Particles that nobody else sees are computed while values of the others travel.
 TEST(TestParts, LongBarHasTheBitsOfTheWhole)
 {
-    expectSameBits({"default", "velocityCorrection keepsTurns;", false, false, 6, "1e-6", {}, true}, {2});
+    expectSameBits({"default", "velocityCorrection keepsTurns;", false, 6, "1e-6", {}, true}, {bisected(2)});
 }
 
 // Of water the step takes the stress as it is; of a thick liquid it is solved for, with sums over all parts.
 TEST(TestParts, ThickLiquidHasTheBitsOfTheWhole)
 {
-    expectSameBits({"default", "", false, true, 12, "1e-3"}, {2, 3});
+    expectSameBits({"default", "", false, 12, "1e-3"}, {slabs(2, true), bisected(4)});
 }
 
 TEST(TestParts, WhatKeepsTurnsHasTheBitsOfTheWhole)
 {
-    expectSameBits({"default", "velocityCorrection keepsTurns;", true, false, 12}, {2, 3});
+    expectSameBits({"default", "velocityCorrection keepsTurns;", true, 12}, {slabs(2, false), bisected(4)});
 }
 
 TEST(TestParts, XSPHHasTheBitsOfTheWhole)
 {
-    expectSameBits({"XSPH", "", true, false, 12}, {2, 3});
+    expectSameBits({"XSPH", "", true, 12}, {bisected(2), bisected(3)});
 }
 
 TEST(TestParts, PbfHasTheBitsOfTheWhole)
 {
-    expectSameBits({"Fujisawa2014", "contactAngleCoeffs { solidNormal wall; }", true, false, 12}, {2, 3, 5});
+    expectSameBits({"Fujisawa2014", "contactAngleCoeffs { solidNormal wall; }", true, 12}, {bisected(2), slabs(3, false), bisected(5)});
 }
 
 // A plane that the drop moves through: each part takes out its own, and all know how many.
 TEST(TestParts, OutletsTakeOutTheSame)
 {
-    const Scene scene{"default", "", true, false, 12, "1e-6", "out { type plane; point (0 5.9e-3 0); normal (0 1 0); }"};
+    const Scene scene{"default", "", true, 12, "1e-6", "out { type plane; point (0 5.9e-3 0); normal (0 1 0); }"};
     CutDrop drop(scene);
     const std::size_t before = drop.state().size(), behind = drop.run(scene.steps).back().size();
     EXPECT_LT(behind, before);
     EXPECT_EQ(double(before - behind), drop.liquid.numbers().at(Outlets::numberOf("out")));
-    expectSameBits(scene, {3});
+    expectSameBits(scene, {slabs(3, false)});
 }
 
 // Rows far from the liquid, then its own: what was let go of is there again, with the same bits.
 TEST(TestParts, SolidParticlesAreThoseOfTheRows)
 {
-    const Scene scene{"default", "", true, false, 2};
+    const Scene scene{"default", "", true, 2};
     CutDrop whole(scene), part(scene);
     const SharedAsOf all(whole.liquid.owned());
-    const std::vector<int> rows = part.rows(false);
-    const auto [low, high] = std::minmax_element(rows.begin(), rows.end());
-    part.walls.cut({*high + 12, *high + 13}, part.near.grid().view());
+    RowRectangle own{1000, -1000};
+    for (const RowLoad& load : part.rows())
+    {
+        own.lowY = std::min(own.lowY, load.y);
+        own.highY = std::max(own.highY, load.y + 1);
+    }
+    part.walls.cut({own.highY + 11, own.highY + 12}, part.near.grid().view());
     part.walls.search(part.liquid);
     EXPECT_LT(part.heldSolid(), whole.heldSolid() / 2);
-    part.walls.cut({*low, *high + 1}, part.near.grid().view());
+    part.walls.cut(own, part.near.grid().view());
     EXPECT_EQ(differing(part.run(scene.steps).back(), whole.run(scene.steps).back()), 0);
     EXPECT_LT(part.heldSolid(), whole.heldSolid());
     EXPECT_EQ(part.walls.particles(), whole.walls.particles());
@@ -261,7 +299,7 @@ TEST(TestParts, SolidParticlesAreThoseOfTheRows)
 
 TEST(TestParts, ModelsThatReadNeighboursWithoutGhostsAreRefused)
 {
-    CutDrop drop({"WCSPH", "", false, false, 1});
+    CutDrop drop({"WCSPH", "", false, 1});
     EXPECT_THROW(drop.models->refuseParts(), FatalInputError);
 }
 
