@@ -12,12 +12,11 @@
 namespace shizuku
 {
 
-namespace
+// Of RowCutter, which as a friend of RowCut is no name of this file alone.
+namespace rowCutting
 {
 
 using SomeLoads = std::span<const RowLoad>;
-
-int layerOf(const RowLoad& load, bool acrossZ) { return acrossZ ? load.z : load.y; }
 
 // Rows of a region, sorted by y and by z, and the parts that share them.
 struct Section
@@ -36,6 +35,17 @@ struct Plane
     bool acrossZ;
     int row, partsBelow;
 };
+
+}
+
+namespace
+{
+
+using rowCutting::Plane;
+using rowCutting::Section;
+using rowCutting::SomeLoads;
+
+int layerOf(const RowLoad& load, bool acrossZ) { return acrossZ ? load.z : load.y; }
 
 // A cut with so much of a section's load below it as rows allow; and what it costs.
 struct EvenPlane
@@ -100,7 +110,7 @@ ParticlesOfLayers layersOf(const RowLoads& loads, bool acrossZ)
 class RowCutter
 {
 public:
-    using Choose = std::function<Plane(const Section&)>;
+    using Choose = std::function<rowCutting::Plane(const rowCutting::Section&)>;
 
     RowCutter(const RowLoads& loads, const Choose& choose) : choose_(choose), byY_(loads), byZ_(loads)
     {
@@ -123,8 +133,8 @@ private:
             cut_.rows_[first] = region;
             return ~first;
         }
-        const auto some = [&](const RowLoads& loads) { return SomeLoads(loads).subspan(begin, end - begin); };
-        const Plane plane = choose_({some(byY_), some(byZ_), region, first, parts});
+        const auto some = [&](const RowLoads& loads) { return rowCutting::SomeLoads(loads).subspan(begin, end - begin); };
+        const rowCutting::Plane plane = choose_({some(byY_), some(byZ_), region, first, parts});
         const auto isBelow = [&](const RowLoad& load) { return layerOf(load, plane.acrossZ) < plane.row; };
         std::size_t middle = begin;
         for (RowLoads* loads : {&byY_, &byZ_})
