@@ -3,6 +3,8 @@
 
 #include "device/Algorithms.H"
 #include "device/ForEach.H"
+#include "device/Gather.H"
+#include "neighbours/MarkRows.H"
 
 #include <algorithm>
 #include <cstring>
@@ -15,28 +17,6 @@ namespace
 {
 
 using IndexList = std::vector<std::uint32_t>;
-
-struct Choose
-{
-    Span<const std::uint32_t> of, places;
-    Span<std::uint32_t> chosen;
-
-    HOST_DEVICE void operator()(int k) const { chosen[k] = of[int(places[k])]; }
-};
-
-struct NotIn
-{
-    CellGridView grid;
-    RowRectangle rows;
-    Span<const Position> x;
-    Span<std::uint8_t> is;
-
-    HOST_DEVICE void operator()(int i) const
-    {
-        const CellPlace cell = grid.cellPlace(x[i]);
-        is[i] = !rows.has(cell.y, cell.z);
-    }
-};
 
 // A particle that another part owns next, and the row that it is in.
 struct Leaver
@@ -172,7 +152,7 @@ void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid)
 {
     const Span<const Position> x = std::as_const(liquid.predicted).span();
     Buffer<std::uint8_t> is(liquid.owned());
-    const int count = choose(NotIn{grid, cut_.rowsOf(liquid.parts().part()), x, is.span()}, is);
+    const int count = choose(MarkRows{grid, cut_.rowsOf(liquid.parts().part()), false, x, is.span()}, is);
 
     // Records, and behind them who it is: one copy to the host.
     FieldRegistry& fields = liquid.fields();
@@ -206,7 +186,7 @@ void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach
     const std::vector<int> near = cut_.partsNear(part, rows);
     const Span<const Position> x = std::as_const(liquid.predicted).span();
     Buffer<std::uint8_t> is(owned);
-    const int all = near.empty() ? 0 : choose(NotIn{cells, cut_.rowsOf(part).widened(-rows), x, is.span()}, is);      // at the edge
+    const int all = near.empty() ? 0 : choose(MarkRows{cells, cut_.rowsOf(part).widened(-rows), false, x, is.span()}, is);      // at the edge
     const Span<const std::uint32_t> seen{selection_.indices.span().data, all};
 
     // All are asked for before the first is waited for.
@@ -242,7 +222,7 @@ void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach
     std::uint32_t* next = sent.span().data;
     for (const List& list : lists)
     {
-        forEach(list.count, Choose{seen, list.places.indices.span(), {next, list.count}});
+        forEach(list.count, device::Gather<std::uint32_t, device::EveryPlace>{list.places.indices.span(), {}, seen, {next, list.count}});
         next += list.count;
     }
     Ghosts& ghosts = liquid.ghosts();

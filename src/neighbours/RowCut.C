@@ -110,7 +110,7 @@ ParticlesOfLayers layersOf(const RowLoads& loads, bool acrossZ)
 class RowCutter
 {
 public:
-    using Choose = std::function<rowCutting::Plane(const rowCutting::Section&)>;
+    using Choose = std::function<Plane(const Section&)>;
 
     RowCutter(const RowLoads& loads, const Choose& choose) : choose_(choose), byY_(loads), byZ_(loads)
     {
@@ -133,8 +133,8 @@ private:
             cut_.rows_[first] = region;
             return ~first;
         }
-        const auto some = [&](const RowLoads& loads) { return rowCutting::SomeLoads(loads).subspan(begin, end - begin); };
-        const rowCutting::Plane plane = choose_({some(byY_), some(byZ_), region, first, parts});
+        const auto some = [&](const RowLoads& loads) { return SomeLoads(loads).subspan(begin, end - begin); };
+        const Plane plane = choose_({some(byY_), some(byZ_), region, first, parts});
         const auto isBelow = [&](const RowLoad& load) { return layerOf(load, plane.acrossZ) < plane.row; };
         std::size_t middle = begin;
         for (RowLoads* loads : {&byY_, &byZ_})

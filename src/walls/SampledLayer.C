@@ -2,11 +2,13 @@
 #include "walls/SampledLayer.H"
 
 #include "device/ForEach.H"
+#include "neighbours/MarkRows.H"
 #include "particles/ParticleFiles.H"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace shizuku
 {
@@ -30,21 +32,6 @@ struct VirtualVolume
             if (isSameImage(position[k], position[l])) sum += W.W(norm(position[k] - position[l]));
         });
         volume[k] = 1 / sum;
-    }
-};
-
-// Of the solid particles: whether they lie in these rows of the liquid's cells.
-struct IsInRows
-{
-    CellGridView cells;
-    RowRectangle rows;
-    Span<const Position> position;
-    Span<std::uint8_t> is;
-
-    HOST_DEVICE void operator()(int k) const
-    {
-        const CellPlace cell = cells.cellPlace(position[k]);
-        is[k] = rows.has(cell.y, cell.z);
     }
 };
 
@@ -104,7 +91,7 @@ void SampledLayer::sort(const Liquid& liquid, scalar support, scalar reach)
 void SampledLayer::keep(const RowRectangle& rows)
 {
     Buffer<std::uint8_t> is(solid_.all());
-    forEach(solid_.all(), IsInRows{cut_->cells, rows, position_.span(), is.span()});
+    forEach(solid_.all(), MarkRows{cut_->cells, rows, true, std::as_const(position_).span(), is.span()});
     const std::vector<std::uint8_t> stays = is.download();
     std::vector<std::uint32_t> kept;
     for (std::size_t k = 0; k < stays.size(); ++k) if (stays[k]) kept.push_back(std::uint32_t(k));

@@ -336,17 +336,17 @@ TEST(NoiseOfNewtonian, IsHeldBackByWalls)
 {
     const auto points = latticeBlock(5, 5, 3, 1, {-2, -2, 0.5f});
     const std::size_t middle = 12;                              // of the lowest layer
-    const auto after_ = [&](const std::string& coeffs, const std::vector<Vec3>& velocities)
+    const auto stepped = [&](const std::string& coeffs, const std::vector<Vec3>& velocities)
     {
         LiquidCase flow(liquidOf("0", floorPlane));
         return after(flow, points, velocities, 0.02f, coeffs);
     };
     const std::vector<Vec3> along(points.size(), {1, 0, 0});
-    for (const Vec3 u : after_("c 1; atWalls 1;", along)) EXPECT_LT(norm(u - along[0]), 1e-6);
+    for (const Vec3 u : stepped("c 1; atWalls 1;", along)) EXPECT_LT(norm(u - along[0]), 1e-6);
 
     std::vector<Vec3> single(points.size());
     single[middle] = {1, 0, 0};
-    const auto taken = [&](const std::string& coeffs) { return 1 - after_(coeffs, single)[middle].x; };
+    const auto taken = [&](const std::string& coeffs) { return 1 - stepped(coeffs, single)[middle].x; };
     const scalar free = taken("c 1; atWalls 0;"), whole = taken("c 1; atWalls 1;") - free;
     EXPECT_GT(whole, 0.1f);
     EXPECT_NEAR(taken("c 1; atWalls 0.3;") - free, 0.3f * whole, 1e-6);
