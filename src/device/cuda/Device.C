@@ -118,6 +118,8 @@ void* allocateHost(std::size_t bytes)
 
 void releaseHost(void* memory) noexcept
 {
+    if (!memory) return;
+    launchQueue().submit();                 // who still writes it
     cudaFreeHost(memory);
 }
 
