@@ -2,6 +2,7 @@
 #include "caseFiles/SolidSides.H"
 
 #include <algorithm>
+#include <cmath>
 
 namespace shizuku
 {
@@ -29,6 +30,36 @@ SolidSides::Place SolidSides::operator()(const Vector3& x) const
         return counts && height(k) > 0.25*spacing_;
     });
     return {first, distance, !inFront};
+}
+
+std::optional<int> SolidSides::patchInTheWay(const Vector3& x, double least)
+{
+    if (const Cell& cell = cellOf(x); cell.free) return cell.patch;
+    const Place place = (*this)(x);
+    if (place.behind || place.distance < least) return int(solid_.patch[place.nearest]);
+    return {};
+}
+
+const SolidSides::Cell& SolidSides::cellOf(const Vector3& x)
+{
+    constexpr double edge = 4, reach = 1.5;         // spacings; a way between two places farther than that from all particles does not cross their layer
+    constexpr std::uint64_t bits = 21, mask = (1 << bits) - 1;
+    Vector3 middle;
+    std::uint64_t key = 0;
+    for (int c = 0; c < 3; ++c)
+    {
+        const double cell = std::floor(x[c]/(edge*spacing_));
+        middle[c] = (cell + 0.5)*edge*spacing_;
+        key = key << bits | (std::uint64_t(std::int64_t(cell)) & mask);
+    }
+    const auto [at, isNew] = cells_.try_emplace(key);
+    if (isNew)
+    {
+        const Place place = (*this)(middle);
+        at->second.free = place.distance > (0.5*std::sqrt(3)*edge + reach)*spacing_;
+        if (place.behind) at->second.patch = int(solid_.patch[place.nearest]);
+    }
+    return at->second;
 }
 
 }

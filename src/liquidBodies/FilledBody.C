@@ -18,7 +18,7 @@ constexpr Dimensions perTime{{0, 0, -1, 0, 0, 0, 0}};
 // Before they are made: so many need no body of liquid, but its size in millimetres.
 void refuseTooMany(const LiquidBody& shape, double spacing, const SourceLocation& where)
 {
-    constexpr double most = 2e8;            // 50 GiB on a device
+    constexpr double most = 2e9;            // what numbers of 32 bits count
     const double count = shape.volume()/(spacing*spacing*spacing);
     if (count <= most) return;
     std::ostringstream found, expected;

@@ -162,16 +162,11 @@ void keepOutOfWalls(FilledBody& body, const std::vector<AnalyticSurface>& walls,
 void keepOutOfSolid(std::span<FilledBody> bodies, const SolidParticles& solid, double spacing)
 {
     if (solid.positions.empty()) return;
-    const SolidSides sides(solid, spacing);
-    const auto patchBehind = [&](const Vector3& x) -> int
-    {
-        const SolidSides::Place place = sides(x);
-        return place.behind || place.distance < solidDistance*spacing ? solid.patch[place.nearest] : -1;
-    };
+    SolidSides sides(solid, spacing);
     for (FilledBody& body : bodies)
     {
         std::vector<int> patches;       // one a particle
-        for (const Vector3& x : body.positions) patches.push_back(patchBehind(x));
+        for (const Vector3& x : body.positions) patches.push_back(sides.patchInTheWay(x, solidDistance*spacing).value_or(-1));
         std::set<int> met(patches.begin(), patches.end());
         met.erase(-1);
         for (const int patch : met)

@@ -56,12 +56,11 @@ std::optional<LiquidInside> liquidInside(const Liquid& liquid, const SolidPartic
 {
     if (solid.positions.empty()) return {};
     const double d = liquid.properties().spacing;
-    const SolidSides sides(solid, d);
+    SolidSides sides(solid, d);
     const std::vector<Vector3> positions = liquid.positions();
     for (int i = 0; i < liquid.owned(); ++i)
     {
-        const SolidSides::Place place = sides(positions[i]);
-        if (place.behind || place.distance < 0.5 * d) return LiquidInside{i, int(solid.patch[place.nearest])};
+        if (const auto patch = sides.patchInTheWay(positions[i], 0.5 * d)) return LiquidInside{i, *patch};
     }
     return {};
 }

@@ -309,7 +309,7 @@ TEST_F(PreProcessing, BadBodiesAreRefused)
     expectRefusal("fillLiquid", {"no body"}, output);
     // Counted before any is made: a sphere of 5 m has 5.2e11.
     fill("drop { type sphere; centre (0 0 10); radius 5; }");
-    expectRefusal("fillLiquid", {"5.23599e+11 particles", "up to 2e+08", "0.0137823 m", "fillLiquidDict"}, output);
+    expectRefusal("fillLiquid", {"5.23599e+11 particles", "up to 2e+09", "0.00639719 m", "fillLiquidDict"}, output);
 }
 
 TEST_F(PreProcessing, LiquidInsideASolidIsRefused)

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace shizuku::test
@@ -79,6 +81,39 @@ TEST(SolidSides, BelowALayerIsBehindAndBesideItsBorderIsNot)
     EXPECT_FALSE(sides({12, 5, -1}).behind);
     EXPECT_DOUBLE_EQ(sides({5, 5, 1}).distance, 1.5);
     EXPECT_EQ(sides({0, 3, 1}).nearest, 3u);
+}
+
+// By cells the same is found as by asking for each: above and below a floor, beside its border, near it and far away.
+TEST(SolidSides, ManyPlacesAreAskedForByCells)
+{
+    SolidParticles solid;
+    for (int x = 0; x <= 40; ++x) for (int y = 0; y <= 40; ++y) solid.positions.emplace_back(x, y, -0.5);
+    solid.normals.assign(solid.positions.size(), {0, 0, 1});
+    for (const Vector3& p : solid.positions) solid.patch.push_back(p.x < 20 ? 0 : 1);
+    solid.patches = {"left", "right"};
+    SolidSides sides(solid, 1);
+    int behind = 0;
+    for (double x = -20.3; x < 60; x += 1.7)
+    {
+        for (double y = 1.1; y < 39; y += 3.7)
+        {
+            for (double z = -30.2; z < 30; z += 1.1)
+            {
+                // A place farther than a cell from the border, where the middle of a cell and its places may lie on different sides of it.
+                if (z < -4 && std::min(std::abs(x), std::abs(x - 40)) < 5) continue;
+                const SolidSides::Place place = sides({x, y, z});
+                const bool inTheWay = place.behind || place.distance < 0.9;
+                const auto patch = sides.patchInTheWay({x, y, z}, 0.9);
+                ASSERT_EQ(patch.has_value(), inTheWay) << x << ' ' << y << ' ' << z;
+                if (patch && (x < 16 || x > 24))
+                {
+                    EXPECT_EQ(*patch, solid.patch[place.nearest]);
+                }
+                behind += inTheWay;
+            }
+        }
+    }
+    EXPECT_GT(behind, 1000);
 }
 
 }
