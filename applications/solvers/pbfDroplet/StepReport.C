@@ -51,12 +51,21 @@ std::vector<Vector3> velocitiesOf(const Liquid& liquid)
     return gatherListsAtFirst(liquid.parts(), velocities);
 }
 
+// In part 0. None of liquid so large that the host of one part would take seconds and gigabytes for them: checkCase looks at any.
+std::vector<SeparateBody> bodiesAtStart(const FlowView& flow, const Liquid& liquid)
+{
+    constexpr int most = 2000000;                           // particles
+    if (flow.particles() > most) return {};
+    const std::vector<Vector3> positions = positionsOf(liquid), velocities = velocitiesOf(liquid);
+    if (liquid.parts().part() > 0) return {};
+    return separateBodies(positions, velocities, flow.properties().spacing);
+}
+
 void warnOfStart(const FlowView& flow, const Liquid& liquid)
 {
-    const std::vector<Vector3> positions = positionsOf(liquid), velocities = velocitiesOf(liquid);
+    const std::vector<SeparateBody> bodies = bodiesAtStart(flow, liquid);
     if (liquid.parts().part() > 0) return;
     const LiquidProperties& p = flow.properties();
-    const std::vector<SeparateBody> bodies = separateBodies(positions, velocities, p.spacing);
     std::vector<std::string> warnings = resolutionWarnings(bodies, p.spacing);
     if (const std::string text = flatteningWarning(flow); !text.empty()) warnings.push_back(text);
     for (const std::string& text : warnings)
