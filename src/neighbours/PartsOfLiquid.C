@@ -133,26 +133,26 @@ void put(FieldRegistry& fields, const Bytes& records, const Places& places)
 }
 
 template<class Is>
-int PartsOfLiquid::choose(const Is& is, Buffer<std::uint8_t>& chosen)
+int PartsOfLiquid::choose(const Is& is, Buffer<std::uint8_t>& chosen, int most)
 {
     if (chosen.size() == 0) return 0;
     forEach(chosen.size(), is);
     select(chosen, selection_, room_, count_);
     int count = int(*count_.wait());
-    if (count > room_)
+    if (const int wanted = std::min(count, most); wanted > room_)
     {
-        room_ = count + count / 4;
+        room_ = wanted + wanted / 4;
         select(chosen, selection_, room_, count_);
         count = int(*count_.wait());
     }
     return count;
 }
 
-void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid)
+bool PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid, int most)
 {
     const Span<const Position> x = std::as_const(liquid.predicted).span();
     Buffer<std::uint8_t> is(liquid.owned());
-    const int count = choose(MarkRows{grid, cut_.rowsOf(liquid.parts().part()), false, x, is.span()}, is);
+    const int all = choose(MarkRows{grid, cut_.rowsOf(liquid.parts().part()), false, x, is.span()}, is, most), count = std::min(all, most);
 
     // Records, and behind them who it is: one copy to the host.
     FieldRegistry& fields = liquid.fields();
@@ -170,13 +170,14 @@ void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid)
 
     Bytes come;
     for (const Bytes& from : liquid.parts().exchange(byPart(cut_, gone, record, leavers))) come.insert(come.end(), from.begin(), from.end());
-    if (come.empty() && count == 0) return;
+    if (come.empty() && count == 0) return false;
     IndexList left;
     for (const Leaver& leaver : leavers) left.push_back(leaver.index);
     const Places places(liquid.owned(), std::move(left), int(come.size() / record));
     if (places.owned > liquid.owned()) liquid.resize(places.owned);
     put(fields, come, places);
     if (places.owned < liquid.owned()) liquid.resize(places.owned);
+    return all > count;
 }
 
 void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach)
@@ -186,7 +187,7 @@ void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach
     const std::vector<int> near = cut_.partsNear(part, rows);
     const Span<const Position> x = std::as_const(liquid.predicted).span();
     Buffer<std::uint8_t> is(owned);
-    const int all = near.empty() ? 0 : choose(MarkRows{cells, cut_.rowsOf(part).widened(-rows), false, x, is.span()}, is);      // at the edge
+    const int all = near.empty() ? 0 : choose(MarkRows{cells, cut_.rowsOf(part).widened(-rows), false, x, is.span()}, is, unlimited);      // at the edge
     const Span<const std::uint32_t> seen{selection_.indices.span().data, all};
 
     // All are asked for before the first is waited for.
@@ -233,7 +234,12 @@ void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach
 void PartsOfLiquid::bring(Liquid& liquid, const CellGrid& grid, scalar reach)
 {
     liquid.resize(liquid.owned());              // without the ghosts of the search before
-    migrate(liquid, grid.view());
+    const int most = std::exchange(atOnce_, unlimited);
+    bool more = migrate(liquid, grid.view(), most);
+    if (most < unlimited)
+    {
+        while (liquid.parts().any(more)) more = migrate(liquid, grid.view(), most);
+    }
     addGhosts(liquid, grid, reach);
 }
 

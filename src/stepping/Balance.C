@@ -57,8 +57,9 @@ RowLoads countRows(const Liquid& liquid, const Neighbourhood& near)
     Buffer<std::uint8_t> begins(n);
     forEach(n, BeginsRow{row.span(), begins.span()});
     Selection selection;
-    select(begins, selection);
-    const int runs = int(selection.before.download().back());
+    Readback count;
+    select(begins, selection, n, count);
+    const int runs = int(*count.wait());
     std::vector<std::uint32_t> first(runs + 1, std::uint32_t(n));
     selection.indices.download(first.data(), runs);
     Buffer<Row> rowOfRun;
