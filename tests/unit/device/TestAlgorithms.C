@@ -57,8 +57,8 @@ TEST(Algorithms, SelectListsWhatIsChosenInItsOrder)
         std::vector<std::uint32_t> before(n + 1);
         for (int i = 0; i < n; ++i) before[i + 1] = before[i] + (chosen[i] ? 1 : 0);
         ASSERT_EQ(selection.before.download(), before) << n;
-        auto indices = selection.indices.download();
-        indices.resize(expected.size());
+        std::vector<std::uint32_t> indices(expected.size());
+        selection.indices.download(indices.data(), int(indices.size()));
         EXPECT_EQ(indices, expected) << n;
     }
 }
