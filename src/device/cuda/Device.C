@@ -120,6 +120,7 @@ void releaseHost(void* memory) noexcept
 {
     if (!memory) return;
     launchQueue().submit();                 // who still writes it
+    cudaDeviceSynchronize();
     cudaFreeHost(memory);
 }
 
