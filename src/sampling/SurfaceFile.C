@@ -7,16 +7,13 @@
 #include "meshes/PolygonTriangles.H"
 #include "meshes/StlFile.H"
 
-#include <CGAL/IO/OFF.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/IO/OFF/File_scanner_OFF.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <new>
-#include <stdexcept>
+#include <fstream>
+#include <vector>
 
 namespace shizuku
 {
@@ -24,67 +21,55 @@ namespace shizuku
 namespace
 {
 
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-
-// What CGAL makes as long as the file says, before it has read that much: no longer than the file has room for.
-template<class T>
-struct LimitedVector : std::vector<T>
-{
-    std::size_t most = std::numeric_limits<std::size_t>::max();
-
-    void resize(std::size_t size)
-    {
-        if (size > most) throw std::length_error("more than the file has room for");
-        std::vector<T>::resize(size);
-    }
-};
-
-struct Polygon : LimitedVector<std::size_t>
-{
-    Polygon() { most = 1'000'000; }
-};
-
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& found, const std::string& expected = "")
 {
     throw FatalInputError({file.string(), 0}, found, expected);
 }
 
+// CGAL reads lines; what stands in them behind points and corners (colours, normals, textures) is left alone, which it would look for behind their ends.
 PatchedSurface readOff(const std::filesystem::path& file, const std::string& unnamed)
 {
-    LimitedVector<Point> points;
-    LimitedVector<Polygon> polygons;
-    points.most = polygons.most = std::filesystem::file_size(file)/2;       // a digit and a blank
-    bool good = false;
-    try { good = CGAL::IO::read_OFF(file.string(), points, polygons); }
-    catch (const std::logic_error&) {}          // lengths beyond these, and what CGAL asserts
-    catch (const std::bad_alloc&) {}
-    if (!good || polygons.empty())
+    constexpr std::size_t mostCorners = 1'000'000;
+    const auto refuse = [&]
     {
         fail(file, "The file is no OFF surface, not all of one, or has no face",
             "a line OFF, a line of the numbers of vertices and faces, a line a vertex, a line a face");
-    }
+    };
+    std::ifstream in(file, std::ios::binary);
+    CGAL::File_scanner_OFF scanner(in);
+    const std::size_t room = std::filesystem::file_size(file)/2;        // a digit and a blank for each
+    if (!in || scanner.size_of_vertices() > room || scanner.size_of_facets() > room || scanner.size_of_facets() == 0) refuse();
+    if (scanner.binary()) fail(file, "The OFF surface is binary", "numbers as text");
 
     PatchedSurface surface;
     surface.patches = {unnamed};
-    for (const Point& p : points)
+    for (std::size_t i = 0; i < scanner.size_of_vertices(); ++i)
     {
-        if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+        double x = 0, y = 0, z = 0, w = 1;
+        scanner.scan_vertex(x, y, z, w);
+        if (!in) refuse();
+        const Vector3 point{x/w, y/w, z/w};
+        if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
         {
             fail(file, "The surface has a coordinate that is no finite number");
         }
-        surface.mesh.vertices.emplace_back(p.x(), p.y(), p.z());
+        surface.mesh.vertices.push_back(point);
     }
-    for (const auto& polygon : polygons)
+    for (std::size_t i = 0; i < scanner.size_of_facets(); ++i)
     {
+        std::size_t corners = 0;
+        scanner.scan_facet(corners, i);
+        if (!in || corners > mostCorners) refuse();
+        std::vector<int> polygon;
+        for (std::size_t k = 1; k <= corners; ++k)
+        {
+            std::size_t vertex = 0;
+            scanner.scan_facet_vertex_index(vertex, k, i);
+            if (!in) refuse();
+            polygon.push_back(int(vertex));
+        }
         if (polygon.size() < 3) continue;
-        if (*std::max_element(polygon.begin(), polygon.end()) >= points.size())
-        {
-            fail(file, "A face of the surface names a vertex that is not there");
-        }
-        for (const auto& triangle : trianglesOf(surface.mesh.vertices, std::vector<int>(polygon.begin(), polygon.end())))
-        {
-            surface.mesh.faces.push_back(triangle);
-        }
+        for (const auto& triangle : trianglesOf(surface.mesh.vertices, polygon)) surface.mesh.faces.push_back(triangle);
     }
     surface.patch.assign(surface.mesh.faces.size(), 0);
     return surface;

@@ -81,12 +81,12 @@ struct CollectKeys
             {
                 const std::uint32_t number = increment(count[stored]);
                 if (number < std::uint32_t(keys.size)) keys[int(number)] = key;
-                else count[misses] = 1;
+                else put(count[misses], 1u);
                 return;
             }
             if (look(count[misses]) > 0) return;
         }
-        count[misses] = 1;
+        put(count[misses], 1u);
     }
 };
 

@@ -125,7 +125,7 @@ void SampledLayer::computeVirtualVolumes(const Liquid& liquid)
 {
     std::visit
     (
-        [&](const auto& W) { forEach(solid_.all(), VirtualVolume{W, grid_->view(), position_.span(), volume_.span()}); },
+        [&]<class Kernel>(const Kernel& W) { forEach(solid_.all(), VirtualVolume<Kernel>{W, grid_->view(), position_.span(), volume_.span()}); },
         liquid.kernel()
     );
 }

@@ -14,11 +14,13 @@
 #include "vtk/PngFile.H"
 
 #include <boost/crc.hpp>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <map>
+#include <stdexcept>
 
 namespace shizuku::test
 {
@@ -26,19 +28,30 @@ namespace shizuku::test
 namespace
 {
 
-// The input as a file, in memory where there is a folder for that; gone with this.
+// A file in memory, where there is a folder for that, for one input after the other: a new file for each takes longer than most readers. Gone with the program.
 class InputFile
 {
 public:
-    InputFile(const std::string& text, const std::string& extension) : path_(folder()/(name() + extension))
+    explicit InputFile(const std::string& extension) : path_(folder()/(name() + extension)), file_(::open(path_.c_str(), O_RDWR | O_CREAT | O_TRUNC, 0600))
     {
-        std::ofstream(path_, std::ios::binary) << text;
+        if (file_ < 0) throw std::runtime_error("Cannot write " + path_.string());
     }
-    ~InputFile() { std::filesystem::remove(path_); }
+    ~InputFile()
+    {
+        ::close(file_);
+        std::filesystem::remove(path_);
+    }
     InputFile(const InputFile&) = delete;
     InputFile& operator=(const InputFile&) = delete;
 
-    operator const std::filesystem::path&() const { return path_; }
+    const std::filesystem::path& with(const std::string& text) const
+    {
+        if (::pwrite(file_, text.data(), text.size(), 0) != ssize_t(text.size()) || ::ftruncate(file_, off_t(text.size())) != 0)
+        {
+            throw std::runtime_error("Cannot write " + path_.string());
+        }
+        return path_;
+    }
 
 private:
     static std::filesystem::path folder()
@@ -49,7 +62,15 @@ private:
     static std::string name() { return "shizukuFuzz." + std::to_string(::getpid()); }
 
     const std::filesystem::path path_;
+    const int file_;
 };
+
+// The input as a file of that name.
+const std::filesystem::path& fileOf(const std::string& text, const std::string& extension)
+{
+    static std::map<std::string, InputFile> files;
+    return files.try_emplace(extension, extension).first->second.with(text);
+}
 
 void readCalc(const std::string& text)
 {
@@ -59,7 +80,7 @@ void readCalc(const std::string& text)
 
 void readTable(const std::string& text)
 {
-    const CsvTable table = CsvTable::read(InputFile(text, ".csv"));
+    const CsvTable table = CsvTable::read(fileOf(text, ".csv"));
     for (const std::string& column : table.columns()) table.numbers(column);
 }
 
@@ -94,13 +115,13 @@ const std::vector<FuzzTarget>& fuzzTargets()
     {
         {"dictionary", [](const std::string& text) { Dictionary::parse(text); }},
         {"calc", readCalc},
-        {"field", [](const std::string& text) { readField(InputFile(text, "")); }},
-        {"stl", [](const std::string& text) { readStl(InputFile(text, ".stl"), "wall"); }},
-        {"obj", [](const std::string& text) { readObj(InputFile(text, ".obj"), "wall"); }},
-        {"ply", [](const std::string& text) { readPly(InputFile(text, ".ply")); }},
-        {"off", [](const std::string& text) { readSurface(InputFile(text, ".off"), "wall"); }},
+        {"field", [](const std::string& text) { readField(fileOf(text, "")); }},
+        {"stl", [](const std::string& text) { readStl(fileOf(text, ".stl"), "wall"); }},
+        {"obj", [](const std::string& text) { readObj(fileOf(text, ".obj"), "wall"); }},
+        {"ply", [](const std::string& text) { readPly(fileOf(text, ".ply")); }},
+        {"off", [](const std::string& text) { readSurface(fileOf(text, ".off"), "wall"); }},
         {"csv", readTable},
-        {"study", [](const std::string& text) { runsOf(Study::read(InputFile(text, ""))); }},
+        {"study", [](const std::string& text) { runsOf(Study::read(fileOf(text, ""))); }},
         {"png", readPng}
     };
     return targets;

@@ -228,7 +228,8 @@ TEST_P(Changes, ThatAreWrongAreLeftOut)
     for (const auto& [file, textAndAnswer] : edits)
     {
         const std::string good = read(file);
-        const auto& [text, answer] = textAndAnswer;
+        const auto& text = textAndAnswer.first;
+        const auto& answer = textAndAnswer.second;
         // At once, as an editor does.
         write(std::string(file) + ".new", text);
         std::filesystem::rename(path()/(std::string(file) + ".new"), path()/file);

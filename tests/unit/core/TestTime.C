@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/time/CaseLock.H"
-#include "core/time/Time.H"
-#include "support/ScratchFolder.H"
+#include "unit/core/TimedCase.H"
 
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 
@@ -15,56 +12,6 @@ namespace fs = std::filesystem;
 namespace
 {
 
-using Names = std::vector<std::string>;
-
-// A case whose controlDict holds `controls` and whose time folder 0 holds one file.
-class Case : public ScratchFolder
-{
-public:
-    explicit Case(const std::string& controls)
-    {
-        control(controls);
-        write("0/liquid/positions", "initial");
-    }
-
-    void control(const std::string& controls) const
-    {
-        // The time stamp moves on by itself only every few milliseconds.
-        const auto file = write("system/controlDict", controls);
-        fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(++edits_));
-    }
-
-    // Runs to the end as a solver does; returns the names of the times written.
-    Names run(Time& time) const
-    {
-        Names names;
-        while (time.running())
-        {
-            time.readIfModified();
-            time.advance();
-            if (!time.writeDue()) continue;
-            names.push_back(time.name());
-            time.writing([](const fs::path& folder) { fs::create_directories(folder / "liquid"); })();
-        }
-        return names;
-    }
-    Names run() const
-    {
-        Time time(path());
-        return run(time);
-    }
-
-    std::string error() const
-    {
-        return messageOf([&] { Time time(path()); });
-    }
-
-private:
-    mutable int edits_ = 0;
-};
-
-const std::string tenSteps = "endTime 1; deltaT 0.1; writeInterval 5;\n";
-
 std::uint64_t bits(double value)
 {
     return std::bit_cast<std::uint64_t>(value);
@@ -74,7 +21,7 @@ std::uint64_t bits(double value)
 
 TEST(Time, DoesNotDriftOverAMillionSteps)
 {
-    const Case folder("endTime 10; deltaT 1e-5; writeInterval 1000000;");
+    const TimedCase folder("endTime 10; deltaT 1e-5; writeInterval 1000000;");
     Time time(folder.path());
     double largest = 0;
     for (long step = 1; step <= 1000000; ++step)
@@ -105,13 +52,13 @@ TEST(Time, RestartsWithBitwiseTheSameTimesAndIndices)
     };
     Names wholeNames, continuedNames;
     {
-        const Case folder(controls);
+        const TimedCase folder(controls);
         Time time(folder.path());
         run(time, 1000, whole);
         wholeNames = folder.list();
     }
     {
-        const Case folder(controls);
+        const TimedCase folder(controls);
         Time first(folder.path());
         run(first, 20, continued);              // killed after 20 steps, behind the write at step 14
         Time second(folder.path());
@@ -128,7 +75,7 @@ TEST(Time, RestartsWithBitwiseTheSameTimesAndIndices)
 
 TEST(Time, ADeltaTThatChangedStartsFromTheExactTime)
 {
-    const Case folder("endTime 1; deltaT 0.1; writeInterval 3;");
+    const TimedCase folder("endTime 1; deltaT 0.1; writeInterval 3;");
     {
         Time time(folder.path());
         for (int i = 0; i < 3; ++i) time.advance();
@@ -146,29 +93,29 @@ TEST(Time, ADeltaTThatChangedStartsFromTheExactTime)
 
 TEST(Time, WritesEveryFewSteps)
 {
-    EXPECT_EQ(Case("endTime 1; deltaT 0.1; writeControl timeStep; writeInterval 4;").run(), (Names{"0.4", "0.8", "1"}));
+    EXPECT_EQ(TimedCase("endTime 1; deltaT 0.1; writeControl timeStep; writeInterval 4;").run(), (Names{"0.4", "0.8", "1"}));
 }
 
 TEST(Time, WritesAtMultiplesOfAnInterval)
 {
     // 0.25 lies between the steps 0.2 and 0.3: ties go to the earlier.
     const std::string rest = "endTime 1; deltaT 0.1; writeInterval 0.25;";
-    EXPECT_EQ(Case("writeControl runTime; " + rest).run(), (Names{"0.2", "0.5", "0.7", "1"}));
+    EXPECT_EQ(TimedCase("writeControl runTime; " + rest).run(), (Names{"0.2", "0.5", "0.7", "1"}));
     EXPECT_EQ
     (
-        Case("writeControl adjustableRunTime; endTime 0.6; deltaT 0.1; writeInterval 0.2;").run(),
+        TimedCase("writeControl adjustableRunTime; endTime 0.6; deltaT 0.1; writeInterval 0.2;").run(),
         (Names{"0.2", "0.4", "0.6"})
     );
     EXPECT_TRUE
     (
         holds
         (
-            Case("writeControl adjustableRunTime;\n" + rest).error(),
+            TimedCase("writeControl adjustableRunTime;\n" + rest).error(),
             {"writeInterval is 2.5", "whole number of deltaT", "line 2"}
         )
     );
     // No interval is lost or written twice where steps and intervals coincide only now and then.
-    const Case folder("writeControl runTime; endTime 300; deltaT 0.1; writeInterval 0.3;");
+    const TimedCase folder("writeControl runTime; endTime 300; deltaT 0.1; writeInterval 0.3;");
     Time time(folder.path());
     int writes = 0;
     while (time.running())
@@ -183,29 +130,29 @@ TEST(Time, WritesAtMultiplesOfAnInterval)
 
 TEST(Time, WritesTheEndThatIsNoMultiple)
 {
-    EXPECT_EQ(Case("endTime 0.25; deltaT 0.1; writeInterval 100;").run(), Names{"0.3"});
+    EXPECT_EQ(TimedCase("endTime 0.25; deltaT 0.1; writeInterval 100;").run(), Names{"0.3"});
 }
 
 TEST(Time, WritesNothingWhereThatIsAsked)
 {
-    const Case folder("writeControl none; endTime 1; deltaT 0.1;");
+    const TimedCase folder("writeControl none; endTime 1; deltaT 0.1;");
     EXPECT_EQ(folder.run(), Names());
     EXPECT_EQ(folder.list(), (Names{"0", "system"}));
     // An interval may stay; and there is no next write to stop at.
-    EXPECT_EQ(Case("writeControl none; stopAt nextWrite; " + tenSteps).run(), Names());
-    EXPECT_TRUE(holds(Case("writeControl nothing; " + tenSteps).error(), {"nothing", "none", "timeStep"}));
+    EXPECT_EQ(TimedCase("writeControl none; stopAt nextWrite; " + tenSteps).run(), Names());
+    EXPECT_TRUE(holds(TimedCase("writeControl nothing; " + tenSteps).error(), {"nothing", "none", "timeStep"}));
 }
 
 TEST(Time, StopsAsToldByStopAt)
 {
-    EXPECT_EQ(Case("stopAt writeNow; " + tenSteps).run(), Names{"0.1"});
-    EXPECT_EQ(Case("stopAt noWriteNow; " + tenSteps).run(), Names());
-    EXPECT_EQ(Case("stopAt nextWrite; " + tenSteps).run(), Names{"0.5"});
+    EXPECT_EQ(TimedCase("stopAt writeNow; " + tenSteps).run(), Names{"0.1"});
+    EXPECT_EQ(TimedCase("stopAt noWriteNow; " + tenSteps).run(), Names());
+    EXPECT_EQ(TimedCase("stopAt nextWrite; " + tenSteps).run(), Names{"0.5"});
 }
 
 TEST(Time, FoldersKeepTheWholeState)
 {
-    const Case folder(tenSteps);
+    const TimedCase folder(tenSteps);
     folder.run();
     EXPECT_EQ(folder.list(), (Names{"0", "0.5", "1", "system"}));
     EXPECT_EQ(folder.read("0/liquid/positions"), "initial");
@@ -221,7 +168,7 @@ TEST(Time, FoldersKeepTheWholeState)
 
 TEST(Time, PurgesWhatThisRunWrote)
 {
-    const Case folder("purgeWrite 2; endTime 1; deltaT 0.1; writeInterval 2;");
+    const TimedCase folder("purgeWrite 2; endTime 1; deltaT 0.1; writeInterval 2;");
     EXPECT_EQ(folder.run().size(), 5u);
     EXPECT_EQ(folder.list(), (Names{"0", "0.8", "1", "system"}));
     folder.control("purgeWrite 1; endTime 1.4; deltaT 0.1; writeInterval 2;");
@@ -231,7 +178,7 @@ TEST(Time, PurgesWhatThisRunWrote)
 
 TEST(Time, AFailedWriteLeavesTheFormerTimes)
 {
-    const Case folder(tenSteps);
+    const TimedCase folder(tenSteps);
     Time time(folder.path());
     time.advance();
     const auto diverged = [](const fs::path&) { throw FatalError("diverged"); };
@@ -242,7 +189,7 @@ TEST(Time, AFailedWriteLeavesTheFormerTimes)
 // Two processes of a run, of which one makes the folder and gives it its name; what is purged goes with it.
 TEST(Time, AFolderThatSeveralFillAppearsWhole)
 {
-    const Case folder("purgeWrite 1; " + tenSteps);
+    const TimedCase folder("purgeWrite 1; " + tenSteps);
     Time time(folder.path()), other(folder.path(), false);
     const auto advanced = [&](const std::string& text)
     {
@@ -264,7 +211,7 @@ TEST(Time, AFolderThatSeveralFillAppearsWhole)
     EXPECT_EQ(folder.list(), (Names{"0", "0.2", "system"}));
     EXPECT_EQ(folder.list("0.2"), (Names{"liquid", "uniform"}));
 
-    const Case alone(tenSteps);
+    const TimedCase alone(tenSteps);
     Time one(alone.path());
     one.advance();
     one.writing([](const fs::path&) {})();
@@ -273,7 +220,7 @@ TEST(Time, AFolderThatSeveralFillAppearsWhole)
 
 TEST(Time, NeverReplacesTheFolderItStartedFrom)
 {
-    const Case folder(tenSteps);
+    const TimedCase folder(tenSteps);
     Time time(folder.path());
     EXPECT_FALSE(time.writeDue());
     EXPECT_TRUE(holds(messageOf<FatalError>([&] { time.writing([](const fs::path&) {})(); }), {"would replace"}));
@@ -282,7 +229,7 @@ TEST(Time, NeverReplacesTheFolderItStartedFrom)
 
 TEST(Time, RemovesWhatAKilledRunLeft)
 {
-    const Case folder(tenSteps);
+    const TimedCase folder(tenSteps);
     folder.write(".0.5.partial/liquid/positions", "half");
     folder.write(".1e-05.old.partial/liquid/positions", "replaced");
     folder.write(".hidden/kept", "");
@@ -295,21 +242,9 @@ TEST(Time, RemovesWhatAKilledRunLeft)
     EXPECT_EQ(folder.list(), (Names{".backup.partial", ".hidden", "0", "system"}));
 }
 
-TEST(CaseLock, LetsOneSolverIn)
-{
-    const Case folder(tenSteps);
-    {
-        const CaseLock held(folder.path());
-        EXPECT_TRUE(holds(messageOf<FatalError>([&] { CaseLock{folder.path()}; }), {"Another solver", folder.path().string()}));
-        EXPECT_NO_THROW(CaseLock{folder.path() / "system"});
-    }
-    EXPECT_NO_THROW(CaseLock{folder.path()});
-    EXPECT_EQ(folder.list(), (Names{"0", "system"}));       // it leaves nothing
-}
-
 TEST(Time, StartsWhereItIsTold)
 {
-    const Case folder(tenSteps);
+    const TimedCase folder(tenSteps);
     folder.run();
     folder.control("startFrom firstTime; " + tenSteps);
     EXPECT_EQ(Time(folder.path()).index(), 0);
@@ -327,7 +262,7 @@ TEST(Time, StartsWhereItIsTold)
 
 TEST(Time, ARenamedFolderCountsByItsName)
 {
-    const Case folder(tenSteps);
+    const TimedCase folder(tenSteps);
     folder.run();
     fs::remove_all(folder.path() / "0");
     fs::remove_all(folder.path() / "1");
@@ -354,7 +289,7 @@ TEST(Time, NamesAreAsLongAsTheyNeedToBe)
 
 TEST(Time, ReportsAtIntervalsAndAtWrites)
 {
-    const Case folder("endTime 1; deltaT 0.1; writeInterval 5; reportInterval 4;");
+    const TimedCase folder("endTime 1; deltaT 0.1; writeInterval 5; reportInterval 4;");
     Time time(folder.path());
     std::vector<long> reports;
     while (time.running())
@@ -367,7 +302,7 @@ TEST(Time, ReportsAtIntervalsAndAtWrites)
 
 TEST(Time, TellsTheProgress)
 {
-    const Case folder(tenSteps);
+    const TimedCase folder(tenSteps);
     Time time(folder.path());
     EXPECT_EQ(time.progress(), "0 %");
     time.advance();
@@ -378,7 +313,7 @@ TEST(Time, TellsTheProgress)
 
 TEST(Time, RefusesBadControls)
 {
-    const auto error = [](const std::string& text) { return Case(text).error(); };
+    const auto error = [](const std::string& text) { return TimedCase(text).error(); };
     EXPECT_TRUE(holds(error("endTime 1;\ndeltaT -0.1;\nwriteInterval 1;"), {"deltaT", "line 2"}));
     EXPECT_TRUE(holds(error("endTime 1;\ndeltaT 0;\nwriteInterval 1;"), {"deltaT", "line 2"}));
     EXPECT_TRUE(holds(error("endTime 1;\ndeltaT soon;\nwriteInterval 1;"), {"deltaT", "soon", "line 2"}));
@@ -408,7 +343,7 @@ TEST(Time, RefusesBadControls)
 
 TEST(Time, KnowsTheKeywordsOfOpenFoam)
 {
-    const Case folder
+    const TimedCase folder
     (
         tenSteps + "application pbfDroplet; writeCompression off; timeFormat general; adjustTimeStep yes; maxCo 0.4;\n"
         "maxCapillaryCo 0.5; functions { volume { type volume;\n interval 1; } } libs (\"libown.so\");"
@@ -420,42 +355,22 @@ TEST(Time, KnowsTheKeywordsOfOpenFoam)
     const Dictionary volume = time.controlDict().subDict("functions").subDict("volume");
     EXPECT_EQ(volume.lookup<std::string>("type"), "volume");
     EXPECT_TRUE(holds(messageOf([&] { volume.refuseUnused(); }), {"interval", "line 4"}));
-    EXPECT_TRUE(holds(Case(tenSteps + "writeCompression on;").error(), {"writeCompression", "off", "line 2"}));
-    EXPECT_TRUE(holds(Case(tenSteps + "maxDeltaT 1;").error(), {"maxDeltaT", "deltaT", "line 2"}));
+    EXPECT_TRUE(holds(TimedCase(tenSteps + "writeCompression on;").error(), {"writeCompression", "off", "line 2"}));
+    EXPECT_TRUE(holds(TimedCase(tenSteps + "maxDeltaT 1;").error(), {"maxDeltaT", "deltaT", "line 2"}));
 }
 
 TEST(Time, NeedsATimeFolder)
 {
-    const Case folder(tenSteps);
+    const TimedCase folder(tenSteps);
     fs::remove_all(folder.path() / "0");
     EXPECT_TRUE(holds(folder.error(), {"no time folder", folder.path().string()}));
     fs::remove_all(folder.path() / "system");
     EXPECT_TRUE(holds(folder.error(), {"controlDict"}));
 }
 
-TEST(Time, ActsOnAChangedControlDict)
-{
-    const Case folder("runTimeModifiable yes; " + tenSteps);
-    Time time(folder.path());
-    EXPECT_FALSE(time.readIfModified());
-    for (int i = 0; i < 3; ++i) time.advance();
-
-    folder.control("runTimeModifiable yes; endTime 0.6; deltaT 0.05; writeInterval 4; writeFormat binary;");
-    testing::internal::CaptureStdout();
-    EXPECT_TRUE(time.readIfModified());
-    EXPECT_TRUE(holds(testing::internal::GetCapturedStdout(), {"controlDict", "anew"}));
-    EXPECT_FALSE(time.readIfModified());
-    EXPECT_EQ(time.endTime(), 0.6);
-    EXPECT_TRUE(time.format().binary);
-    time.advance();
-    EXPECT_EQ(time.index(), 4);
-    EXPECT_NEAR(time.value(), 0.35, 1e-16);     // within a unit in the last place
-    EXPECT_TRUE(time.writeDue());
-}
-
 TEST(Time, StopMakesTheNextStepTheLastAndWritesIt)
 {
-    const Case folder(tenSteps);
+    const TimedCase folder(tenSteps);
     Time time(folder.path());
     time.advance();
     time.advance();
@@ -466,53 +381,8 @@ TEST(Time, StopMakesTheNextStepTheLastAndWritesIt)
     EXPECT_EQ(folder.run(again), (Names{"0.5", "1"}));
 }
 
-TEST(Time, StopsWhenTheChangedControlDictSaysSo)
-{
-    for (const auto& [stopAt, expected] : std::vector<std::pair<std::string, Names>>
-        {{"writeNow", {"0.4"}}, {"noWriteNow", {}}, {"nextWrite", {"0.5"}}})
-    {
-        const Case folder("runTimeModifiable yes; " + tenSteps);
-        Time time(folder.path());
-        for (int i = 0; i < 3; ++i) time.advance();
-        folder.control("runTimeModifiable yes; stopAt " + stopAt + "; " + tenSteps);
-        EXPECT_TRUE(time.readIfModified());
-        EXPECT_EQ(folder.run(time), expected) << stopAt;
-    }
-}
-
-TEST(Time, AMalformedChangeLeavesTheFormerValues)
-{
-    const Case folder("runTimeModifiable yes; " + tenSteps);
-    Time time(folder.path());
-    time.advance();
-    for (const char* bad : {"runTimeModifiable yes; endTime 2; deltaT", "runTimeModifiable yes; endTime 2; deltaT 0;"})
-    {
-        folder.control(bad);
-        testing::internal::CaptureStderr();
-        EXPECT_FALSE(time.readIfModified());
-        EXPECT_TRUE(holds(testing::internal::GetCapturedStderr(), {"WARNING", "deltaT", "former values"}));
-        EXPECT_FALSE(time.readIfModified());        // warned once
-        EXPECT_EQ(time.endTime(), 1);
-        EXPECT_EQ(time.deltaT(), 0.1);
-    }
-    fs::remove(folder.path() / "system/controlDict");
-    EXPECT_FALSE(time.readIfModified());
-    folder.control("runTimeModifiable yes; endTime 2; deltaT 0.1; writeInterval 5;");
-    EXPECT_TRUE(time.readIfModified());
-    EXPECT_EQ(time.endTime(), 2);
-}
-
-TEST(Time, LeavesAChangedControlDictAloneUnlessModifiable)
-{
-    const Case folder(tenSteps);
-    Time time(folder.path());
-    folder.control("endTime 2; deltaT 0.1; writeInterval 5;");
-    EXPECT_FALSE(time.readIfModified());
-    EXPECT_EQ(time.endTime(), 1);
-}
-
 TEST(Time, RefusesAStepThatNoLiquidKnows)
 {
-    EXPECT_TRUE(holds(Case("endTime 1; deltaT 1e-30; writeInterval 5;").error(), {"deltaT is 1e-30", "1e-12 s or more"}));
-    EXPECT_EQ(Case("endTime 1; deltaT 1e-12; writeInterval 5;").error(), "no error");
+    EXPECT_TRUE(holds(TimedCase("endTime 1; deltaT 1e-30; writeInterval 5;").error(), {"deltaT is 1e-30", "1e-12 s or more"}));
+    EXPECT_EQ(TimedCase("endTime 1; deltaT 1e-12; writeInterval 5;").error(), "no error");
 }

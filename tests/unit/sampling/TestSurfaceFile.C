@@ -37,3 +37,27 @@ TEST(OffFile, LengthsThatTheFileHasNoRoomForAreRefusedAtOnce)
     }
     EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 1);
 }
+
+// What a header promises behind each vertex, and each face, may be there, be less, or be nothing: none of it is looked at.
+TEST(OffFile, ColoursNormalsAndTexturesAreLeftAlone)
+{
+    const ScratchFolder folder;
+    for (const std::string& behind : {"", " 7", " 0.5 0.5", " 0 0 1 255 0 0 0.25 0.75", " 999999999"})
+    {
+        for (const std::string& header : {"OFF", "STOFF", "COFF", "NOFF", "STCNOFF"})
+        {
+            const std::string text = header + "\n3 1 0\n0 0 0" + behind + "\n1 0 0" + behind + "\n1 1 0" + behind + "\n3 0 1 2" + behind + "\n";
+            const PatchedSurface triangle = readSurface(folder.write("a.off", text), "wall");
+            EXPECT_EQ(triangle.mesh.vertices.size(), 3u) << text;
+            EXPECT_EQ(triangle.mesh.faces.size(), 1u) << text;
+            EXPECT_EQ(triangle.mesh.vertices[2].y, 1) << text;
+        }
+    }
+}
+
+TEST(OffFile, BinaryIsRefusedByName)
+{
+    const ScratchFolder folder;
+    const std::string counts{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0};       // a vertex, a face, no edge
+    EXPECT_TRUE(holds(messageOf([&] { readSurface(folder.write("a.off", "OFF BINARY\n" + counts + std::string(30, '\0')), "wall"); }), {"a.off", "binary", "text"}));
+}

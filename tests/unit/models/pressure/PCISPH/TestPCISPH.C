@@ -27,7 +27,7 @@ TEST(PCISPH, MakesTheFirstIterationOfThePaper)
         }
         const double seconds = drop->liquid.units().toSI(dt, dimensions::time);
         const double beta = 2 * std::pow(seconds * m / system.restDensity, 2), delta = 1 / (beta * squares);
-        const auto p = [&](std::size_t i) { return std::max(delta * system.restDensity * (system.density[i] - 1), 0.0); };
+        const auto p = [&, &system = system](std::size_t i) { return std::max(delta * system.restDensity * (system.density[i] - 1), 0.0); };
         const auto expected = pressureForces(system, [&](std::size_t i, int j) { return j < 0 ? p(i) : p(i) + p(j); });
         EXPECT_TRUE(agree(accelerationsSince(before, *drop, dt), drop->liquid.units(), expected, system.floor ? 1e-3 : 1e-4));
         const auto kept = drop->inOrder(*pressure->keepPressure());

@@ -27,8 +27,8 @@ TEST(WCSPH, EqualsTheSumOverAllPairs)
         EXPECT_EQ(iterate(*pressure, *drop, dt), 1);
 
         const double B = system.restDensity * 25 / 7;           // c = 1 m/s over 0.2
-        const auto p = [&](std::size_t i) { return std::max(B * (std::pow(system.density[i], 7) - 1), 0.0); };
-        const auto expected = pressureForces(system, [&](std::size_t i, int j)
+        const auto p = [&, &system = system](std::size_t i) { return std::max(B * (std::pow(system.density[i], 7) - 1), 0.0); };
+        const auto expected = pressureForces(system, [&, &system = system](std::size_t i, int j)
         {
             const double own = p(i) / std::pow(system.density[i], 2);
             return j < 0 ? own : own + p(j) / std::pow(system.density[j], 2);

@@ -24,7 +24,7 @@ TEST(IdealGas, EqualsTheSumOverAllPairs)
 
         const auto& D = system.density;
         const double k = 2 * 25;                                // c = 1 m/s over 0.2
-        const auto p = [&](std::size_t i) { return std::max(k * system.restDensity * (D[i] - 1), 0.0); };
+        const auto p = [&, &system = system](std::size_t i) { return std::max(k * system.restDensity * (D[i] - 1), 0.0); };
         const auto expected = pressureForces(system, [&](std::size_t i, int j)
         {
             return j < 0 ? p(i) / (2 * D[i] * D[i]) : (p(i) + p(j)) / (2 * D[i] * D[j]);
