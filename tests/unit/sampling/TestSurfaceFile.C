@@ -42,9 +42,9 @@ TEST(OffFile, LengthsThatTheFileHasNoRoomForAreRefusedAtOnce)
 TEST(OffFile, ColoursNormalsAndTexturesAreLeftAlone)
 {
     const ScratchFolder folder;
-    for (const std::string& behind : {"", " 7", " 0.5 0.5", " 0 0 1 255 0 0 0.25 0.75", " 999999999"})
+    for (const std::string behind : {"", " 7", " 0.5 0.5", " 0 0 1 255 0 0 0.25 0.75", " 999999999"})
     {
-        for (const std::string& header : {"OFF", "STOFF", "COFF", "NOFF", "STCNOFF"})
+        for (const std::string header : {"OFF", "STOFF", "COFF", "NOFF", "STCNOFF"})
         {
             const std::string text = header + "\n3 1 0\n0 0 0" + behind + "\n1 0 0" + behind + "\n1 1 0" + behind + "\n3 0 1 2" + behind + "\n";
             const PatchedSurface triangle = readSurface(folder.write("a.off", text), "wall");
