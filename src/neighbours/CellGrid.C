@@ -27,7 +27,7 @@ struct CountInCells
     HOST_DEVICE void operator()(int i) const
     {
         const Position p = at(i);
-        if (quanta::single && isFar(p, at(0))) wide[0] = 1;
+        if (quanta::single && isFar(p, at(0))) put(wide[0], 1u);
         const std::uint32_t key = grid.key(p) + (i < owned ? 0 : grid.ghosts);
         keys[i] = key;
         places[i] = increment(count[int(key)]);

@@ -106,7 +106,7 @@ std::size_t FieldCursor::skipEntry()
         if (character == '"')
         {
             ++position_;
-            while (remaining() > 0 && text_[position_] != '"') position_ += text_[position_] == '\\' ? 2 : 1;
+            while (remaining() > 0 && text_[position_] != '"') position_ = std::min(position_ + (text_[position_] == '\\' ? 2 : 1), text_.size());
             if (position_ >= text_.size()) break;
         }
         else if (character == '(' || character == '{' || character == '[') ++depth;

@@ -340,6 +340,12 @@ TEST(FieldFile, RefusesWrongUniformValues)
     EXPECT_TRUE(holds(errorOf(uniform("(0 1 0)")), {"line 3"}));
 }
 
+// What it would escape is not there; reading goes no farther.
+TEST(FieldFile, ABackslashAtTheEndOfTheFileIsItsEnd)
+{
+    EXPECT_NE(errorOf("FoamFile { class vectorField; note \"cut\\"), "no error");
+}
+
 TEST(FieldFile, RefusesWrongLists)
 {
     EXPECT_TRUE(holds(errorOf(list("3\n(\n(1 2 3)\n(1 2 3)\n);")), {"has 2 elements", "the 3 that", "line 7"}));
