@@ -26,17 +26,19 @@ bool rendersThroughX()
     return std::string(window->GetClassName()) == "vtkXOpenGLRenderWindow";
 }
 
-// In the child: becomes Xvfb, which writes the number of a free display to `report` as soon as it takes clients.
+// In the child: becomes Xvfb, which writes the number of its display to `report` as soon as it takes clients. The number is of this process: of two servers that look
+// for the first free one, one that ends takes away the other's socket.
 [[noreturn]] void becomeServer(int report)
 {
     prctl(PR_SET_PDEATHSIG, SIGTERM);       // no server is left behind by a killed program
     const int nowhere = open("/dev/null", O_RDWR);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);
-    const std::string descriptor = std::to_string(report);
+    constexpr int first = 100, most = 50000;
+    const std::string descriptor = std::to_string(report), display = ":" + std::to_string(first + getpid() % most);
     execlp
     (
-        "Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "640x480x24", "-nolisten", "tcp",
+        "Xvfb", "Xvfb", display.c_str(), "-displayfd", descriptor.c_str(), "-screen", "0", "640x480x24", "-nolisten", "tcp",
         static_cast<char*>(nullptr)
     );
     _exit(127);
