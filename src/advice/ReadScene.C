@@ -7,6 +7,7 @@
 #include "caseFiles/SampledWall.H"
 #include "caseFiles/SolidParticles.H"
 #include "caseFiles/VectorField.H"
+#include "core/paths/Existence.H"
 #include "core/time/Time.H"
 #include "meshes/Bounds.H"
 #include "meshes/NearestPoint.H"
@@ -66,7 +67,7 @@ void readDictionaries(Scene& scene, const fs::path& path, const Time& time)
 std::vector<Vector3> cornersOf(const SampledWall& wall)
 {
     const std::string kind = wall.file.extension().string();
-    if ((kind != ".stl" && kind != ".obj") || !fs::exists(wall.file)) return {};
+    if ((kind != ".stl" && kind != ".obj") || !shizuku::isThere(wall.file)) return {};
     const PatchedSurface surface = kind == ".stl" ? readStl(wall.file, wall.name) : readObj(wall.file, wall.name);
     std::vector<Vector3> corners = surface.mesh.vertices;
     for (Vector3& corner : corners) corner *= wall.scale;

@@ -2,6 +2,7 @@
 #include "caseFiles/SampledWall.H"
 
 #include "core/fieldFile/MappedFile.H"
+#include "core/paths/Existence.H"
 
 #include <boost/crc.hpp>
 
@@ -24,7 +25,7 @@ std::string changeOf(const SampledWall& wall, const Dictionary& made)
     if (formerly != surface) return name + " was made of " + formerly + ", not of " + surface;
     if (was.lookup<double>("scale") != wall.scale) return "the scale of " + name + " has changed";
     if (was.lookup<double>("closeHoles") != wall.closeHoles.value_or(0)) return "closeHoles of " + name + " has changed";
-    if (!std::filesystem::exists(wall.file)) return "";
+    if (!isThere(wall.file)) return "";
     const bool same = was.lookup<std::string>("sum") == std::to_string(SurfaceMark::of(wall).sum);
     return same ? "" : surface + " of " + name + " has changed";
 }
@@ -74,10 +75,10 @@ std::vector<SampledWall> readSampledWalls(const std::filesystem::path& casePath)
 void refuseMissingSurface(const SampledWall& wall)
 {
     namespace fs = std::filesystem;
-    if (fs::exists(wall.file)) return;
+    if (isThere(wall.file)) return;
     const fs::path folder = wall.file.parent_path();
     std::vector<std::string> names;
-    if (fs::is_directory(folder))
+    if (isFolder(folder))
     {
         for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
     }
@@ -113,7 +114,7 @@ std::vector<std::string> branchingSheets(const std::filesystem::path& casePath)
 {
     const auto file = casePath/"constant/solid/surfaces";
     std::vector<std::string> texts;
-    if (!std::filesystem::exists(file)) return texts;
+    if (!isThere(file)) return texts;
     const Dictionary made = Dictionary::read(file);
     for (const std::string& name : made.dictKeys())
     {
@@ -126,7 +127,7 @@ std::vector<std::string> branchingSheets(const std::filesystem::path& casePath)
 std::string otherSurfaces(const std::filesystem::path& casePath)
 {
     const auto file = casePath/"constant/solid/surfaces";
-    if (!std::filesystem::exists(file)) return "";
+    if (!isThere(file)) return "";
     const std::string change = changeOf(readSampledWalls(casePath), Dictionary::read(file));
     if (change.empty()) return "";
     return "constant/solid is not of the walls as they are: " + change + "\n    Run sampleSurface and sampleTheta again, and fillLiquid";

@@ -2,6 +2,7 @@
 #include "meshes/ObjFile.H"
 
 #include "core/messages/Error.H"
+#include "core/paths/Existence.H"
 #include "meshes/PolygonTriangles.H"
 
 #include <cctype>
@@ -23,7 +24,7 @@ public:
     :
         file_(file.string()), in_(file, std::ios::binary), unnamed_{unnamed, unnamed}
     {
-        if (!in_ || !std::filesystem::is_regular_file(file)) fail("Cannot read the surface file " + file_, "");
+        if (!in_ || !isFile(file)) fail("Cannot read the surface file " + file_, "");
         if (std::filesystem::file_size(file) == 0) fail("The surface file is empty", "an OBJ surface");
     }
 

@@ -2,6 +2,7 @@
 #include "meshes/StlFile.H"
 
 #include "core/messages/Error.H"
+#include "core/paths/Existence.H"
 
 #include <boost/algorithm/string/predicate.hpp>
 
@@ -204,7 +205,7 @@ PatchedSurface readBinary(const std::string& file, std::string_view bytes, const
 PatchedSurface readStl(const std::filesystem::path& file, const std::string& unnamed)
 {
     std::ifstream stream(file, std::ios::binary);
-    if (!stream || !std::filesystem::is_regular_file(file))
+    if (!stream || !isFile(file))
     {
         throw FatalInputError({file.string(), 0}, "Cannot read the surface file " + file.string());
     }

@@ -2,6 +2,7 @@
 #include "study/Study.H"
 
 #include "core/dictionary/EntryText.H"
+#include "core/paths/Existence.H"
 
 #include <algorithm>
 #include <cctype>
@@ -201,7 +202,7 @@ std::size_t StudyAxis::find(const StudyText& choice) const
 
 Study Study::read(const fs::path& given, const std::string& variant)
 {
-    const fs::path file = fs::is_directory(given) ? given/"studyDict" : given;
+    const fs::path file = isFolder(given) ? given/"studyDict" : given;
     Study study;
     study.dict = Dictionary::read(file);
     study.folder = fs::absolute(file).lexically_normal().parent_path();

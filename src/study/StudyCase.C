@@ -6,6 +6,7 @@
 #include "core/dictionary/EntryPath.H"
 #include "core/dictionary/EntryText.H"
 #include "core/fieldFile/AtomicFile.H"
+#include "core/paths/Existence.H"
 
 #include <algorithm>
 #include <charconv>
@@ -70,7 +71,7 @@ std::string readFile(const fs::path& file)
 void addFolder(StudyCase& result, const Study& study, const StudyText& given, const std::string& to)
 {
     const fs::path folder = (study.folder/withWords(given.text, result.values, given.where)).lexically_normal();
-    if (!fs::is_directory(folder))
+    if (!isFolder(folder))
     {
         throw FatalInputError(given.where, "There is no folder " + folder.string(), "a folder, from that of the study on");
     }

@@ -3,6 +3,7 @@
 
 #include "caseFiles/SampledWall.H"
 #include "core/dictionary/KeywordPattern.H"
+#include "core/paths/Existence.H"
 #include "meshes/ObjFile.H"
 #include "meshes/StlFile.H"
 #include "thetaModels/ThetaModel.H"
@@ -54,12 +55,12 @@ bool meansAnyOf(const std::string& keyword, const std::vector<std::string>& name
 // Where the patches' names come from: "; wall 'hills' has the patches top, side". Surfaces that name none have the wall's.
 std::string patchesOfWalls(const std::filesystem::path& casePath)
 {
-    if (!std::filesystem::exists(casePath/"constant/walls")) return "";
+    if (!isThere(casePath/"constant/walls")) return "";
     std::string text;
     for (const SampledWall& wall : readSampledWalls(casePath))
     {
         const std::string extension = boost::algorithm::to_lower_copy(wall.file.extension().string());
-        if (!std::filesystem::exists(wall.file) || (extension != ".stl" && extension != ".obj")) continue;
+        if (!isThere(wall.file) || (extension != ".stl" && extension != ".obj")) continue;
         const std::vector<std::string> patches =
             (extension == ".stl" ? readStl(wall.file, wall.name) : readObj(wall.file, wall.name)).patches;
         text += "; wall '" + wall.name + "' has the " + (patches.size() > 1 ? "patches " : "patch ") + patches.front();

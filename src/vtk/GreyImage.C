@@ -2,6 +2,7 @@
 #include "vtk/GreyImage.H"
 
 #include "core/messages/Error.H"
+#include "core/paths/Existence.H"
 #include "vtk/PngFile.H"
 
 #include <vtkCallbackCommand.h>
@@ -90,7 +91,7 @@ GreyImage greyOfJpeg(const std::filesystem::path& file)
 GreyImage readGreyImage(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
-    if (!stream || !std::filesystem::is_regular_file(file)) refuse(file, "The image is missing, or cannot be read");
+    if (!stream || !isFile(file)) refuse(file, "The image is missing, or cannot be read");
     const std::string content{std::istreambuf_iterator<char>(stream), {}};
     if (content.starts_with("\xff\xd8\xff")) return greyOfJpeg(file);
     if (!content.starts_with("\x89PNG")) refuse(file, "The image is neither PNG nor JPEG");

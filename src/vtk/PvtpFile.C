@@ -3,6 +3,7 @@
 
 #include "core/fieldFile/AtomicFile.H"
 #include "core/messages/Error.H"
+#include "core/paths/Existence.H"
 #include "parallel/AllParts.H"
 #include "vtk/VtkConversion.H"
 
@@ -154,7 +155,7 @@ TriangleMesh readPieces(const std::vector<fs::path>& pieces)
     TriangleMesh all;
     for (const fs::path& file : pieces)
     {
-        if (!fs::exists(file)) throw FatalInputError({file.string(), 0}, "The piece of the surface is missing", "what its .pvtp names: run meshSurface again");
+        if (!isThere(file)) throw FatalInputError({file.string(), 0}, "The piece of the surface is missing", "what its .pvtp names: run meshSurface again");
         vtkNew<vtkXMLPolyDataReader> reader;
         reader->SetFileName(file.c_str());
         reader->Update();

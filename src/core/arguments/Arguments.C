@@ -3,6 +3,7 @@
 
 #include "core/arguments/Version.H"
 #include "core/messages/Error.H"
+#include "core/paths/Existence.H"
 
 #include <boost/program_options.hpp>
 
@@ -139,12 +140,12 @@ void checkCase(const std::filesystem::path& path)
 {
     const SourceLocation where{path.string(), 0};
     const std::string hint = "a case directory, given with -case DIR, or the current folder";
-    if (!std::filesystem::exists(path))
+    if (!isThere(path))
     {
         throw FatalInputError(where, "The case directory does not exist", hint);
     }
-    if (!std::filesystem::is_directory(path)) throw FatalInputError(where, "The case is not a directory", hint);
-    if (!std::filesystem::is_regular_file(path / "system" / "controlDict"))
+    if (!isFolder(path)) throw FatalInputError(where, "The case is not a directory", hint);
+    if (!isFile(path / "system" / "controlDict"))
     {
         throw FatalInputError(where, "The folder is not a case: system/controlDict is missing", hint);
     }
@@ -217,7 +218,10 @@ Arguments::Arguments(int argc, const char* const* argv, const ApplicationInfo& i
         std::exit(EXIT_SUCCESS);
     }
 
-    case_ = std::filesystem::weakly_canonical(found("case") ? get("case") : ".");
+    const std::filesystem::path given = found("case") ? get("case") : ".";
+    std::error_code unresolved;
+    case_ = std::filesystem::weakly_canonical(given, unresolved);
+    if (unresolved) case_ = given;          // which checkCase refuses
     if (info_.needsCase) checkCase(case_);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dictionary/DictionaryExpansion.H"
 #include "core/dictionary/Expansion.H"
+#include "core/paths/Existence.H"
 
 #include <fstream>
 #include <sstream>
@@ -11,7 +12,7 @@ namespace shizuku
 std::string readText(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file))
+    if (!stream || isFolder(file))
     {
         throw FatalInputError({file.string(), 0}, "Cannot open file " + file.string(),
             "a dictionary file that can be read");

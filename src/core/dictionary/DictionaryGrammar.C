@@ -263,6 +263,9 @@ const auto code_def = located(lexeme['{' >> raw[*(nested | (char_ - char_("{}"))
 const x3::rule<ListTag, Tree> list = "list";
 const x3::rule<class UniformListTag, Tree> uniformList = "N{..}";
 const x3::rule<class ItemTag, Tree> item = "item";
+const x3::rule<class PlainItemTag, Tree> plainItem = "item";             // no directive
+const x3::rule<class OperandTag, Tree> operand = "operand";               // of #if and #ifeq
+const x3::rule<class ValueDirectiveTag, Tree> valueDirective = "directive";
 struct BodyTag : StatementsTag {};
 const x3::rule<BodyTag, Tree> body = "{ .. }";
 
@@ -273,18 +276,25 @@ const auto uniformList_def = located(x3::eps[mark<NodeKind::uniformList>]
     >> lexeme[raw[x3::uint_ >> &lit('{')][setText]] >> '{' > *item[addItem] > '}');
 const auto directiveName = [](auto name) { return lexeme['#' >> raw[name >> !textCharacters::alnum][token<NodeKind::directive>]]; };
 const auto branchName = (lit("ifeq") | "if" | "else" | "endif") >> !textCharacters::alnum;
-const auto directive_def = located
-(
-    directiveName(lit("ifeq")) >> (list[addItem] | item[addItem] >> item[addItem])
-    | directiveName(lit("if")) >> item[addItem]
-    | directiveName(lit("else") | "endif")
-    | directiveName(lit("includeFunc") | "includeConstraint" | "includeModel") >> (functionCall[addItem] | item[addItem])
-    | lexeme['#' >> !branchName >> raw[+textCharacters::alnum][token<NodeKind::directive>]] >> -(code[addItem] | item[addItem])
-);
 struct ItemTag {};
 const auto passOn = [](auto& context) { _val(context) = std::move(_attr(context)); };
-const auto item_def = list[passOn] | uniformList[passOn] | number[passOn] | string[passOn] | verbatim[passOn]
-    | dimensions[passOn] | directive[passOn] | macro[passOn] | word[passOn];
+const auto plainItem_def = list[passOn] | uniformList[passOn] | number[passOn] | string[passOn] | verbatim[passOn]
+    | dimensions[passOn] | macro[passOn] | word[passOn];
+const auto item_def = plainItem[passOn] | directive[passOn];
+// A directive's argument is none itself, nor is the condition of #if another #if: what does not fit would be read anew at each of them.
+const auto valueDirective_def = located
+(
+    directiveName(lit("includeFunc") | "includeConstraint" | "includeModel") >> (functionCall[addItem] | plainItem[addItem])
+    | lexeme['#' >> !branchName >> raw[+textCharacters::alnum][token<NodeKind::directive>]] >> -(code[addItem] | plainItem[addItem])
+);
+const auto operand_def = plainItem[passOn] | valueDirective[passOn];
+const auto conditional = located
+(
+    directiveName(lit("ifeq")) >> (list[addItem] | operand[addItem] >> operand[addItem])
+    | directiveName(lit("if")) >> operand[addItem]
+    | directiveName(lit("else") | "endif")
+);
+const auto directive_def = conditional | valueDirective[passOn];
 
 // ---- Statements
 
@@ -309,7 +319,7 @@ struct ItemsTag : ListTag {};
 const auto items_def = located(x3::eps[mark<NodeKind::entry>] > *item[addValueItem] > x3::eoi);
 
 BOOST_SPIRIT_DEFINE(group, number, word, string, verbatim, dimensions, macro, functionCall, code)
-BOOST_SPIRIT_DEFINE(list, uniformList, directive, item, macroStatement, lastBody, entry, body, document, items)
+BOOST_SPIRIT_DEFINE(list, uniformList, plainItem, valueDirective, operand, directive, item, macroStatement, lastBody, entry, body, document, items)
 
 template<class Rule>
 Tree parseWith(const Rule& rule, const SourceText& source)

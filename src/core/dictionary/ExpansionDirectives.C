@@ -5,6 +5,7 @@
 #include "core/dictionary/DictionaryGrammar.H"
 #include "core/dictionary/IncludeFile.H"
 #include "core/dictionary/ValueReader.H"
+#include "core/paths/Existence.H"
 
 #include <cstdlib>
 #include <map>
@@ -197,7 +198,7 @@ void Expansion::include(const Tree& directive, const std::function<void(const So
         throw FatalInputError(where, "#includeEtc \"" + name + "\": there is no such file",
             "a file below one of " + folders);
     }
-    if (!fs::is_regular_file(*file))
+    if (!isFile(*file))
     {
         if (directiveName == "includeIfPresent" || directiveName == "sinclude") return;
         throw FatalInputError

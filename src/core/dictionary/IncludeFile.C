@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dictionary/IncludeFile.H"
+#include "core/paths/Existence.H"
 
 #include <cstdlib>
 
@@ -32,7 +33,7 @@ fs::path caseFolder(const fs::path& file)
 {
     for (fs::path folder = fs::absolute(file).lexically_normal().parent_path(); ; folder = folder.parent_path())
     {
-        if (fs::exists(folder/"system"/"controlDict")) return folder;
+        if (isThere(folder/"system"/"controlDict")) return folder;
         if (folder == folder.root_path()) return fs::current_path();
     }
 }
@@ -51,7 +52,7 @@ std::optional<fs::path> findEtcFile(const std::string& name)
 {
     for (const fs::path& folder : etcFolders())
     {
-        if (fs::is_regular_file(folder/name)) return folder/name;
+        if (isFile(folder/name)) return folder/name;
     }
     return {};
 }

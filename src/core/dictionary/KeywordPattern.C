@@ -76,6 +76,9 @@ private:
 
     void repeat(double times)
     {
+        // Each on top of another doubles the work of compiling it.
+        if (repeated_) fail("repeats what is repeated already", "one of * + ? {..} behind what it repeats");
+        repeated_ = true;
         open_.back().size += open_.back().last*(times - 1);
         open_.back().last *= times;
     }
@@ -83,6 +86,7 @@ private:
     // The last byte of what starts at i.
     std::size_t take(std::size_t i)
     {
+        repeated_ = repeated_ && std::string("*+?{").find(text_[i]) != std::string::npos;
         switch (text_[i])
         {
             case '\\': return takeEscaped(i);
@@ -91,7 +95,8 @@ private:
             case ')': close(); break;
             case '+': repeat(2); break;
             case '{': return takeBounds(i);
-            case '*': case '?': case '|': break;
+            case '*': case '?': repeat(1); break;
+            case '|': break;
             default: add(1);
         }
         return i;
@@ -159,6 +164,7 @@ private:
     const std::string& text_;
     const SourceLocation& where_;
     std::vector<Group> open_{1};
+    bool repeated_ = false;     // by what stands before
 };
 
 }

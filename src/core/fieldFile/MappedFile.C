@@ -2,6 +2,7 @@
 #include "core/fieldFile/MappedFile.H"
 
 #include "core/messages/Error.H"
+#include "core/paths/Existence.H"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -16,8 +17,8 @@ namespace shizuku
 MappedFile::MappedFile(const std::filesystem::path& file)
 {
     const SourceLocation where{file.string(), 0};
-    if (!std::filesystem::exists(file)) throw FatalInputError(where, "The field file is missing");
-    if (!std::filesystem::is_regular_file(file)) throw FatalInputError(where, "This is not a file", "a field file");
+    if (!isThere(file)) throw FatalInputError(where, "The field file is missing");
+    if (!isFile(file)) throw FatalInputError(where, "This is not a file", "a field file");
     const std::size_t size = std::filesystem::file_size(file);
     if (size == 0) return;
 

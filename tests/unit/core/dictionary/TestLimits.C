@@ -137,6 +137,22 @@ TEST_F(Limits, OfConditions)
     expectRefused(repeated("#if yes\n", 300) + repeated("#endif\n", 300), 201, "#if are nested too deep");
 }
 
+TEST_F(Limits, ConditionsThatDoNotFitAreReadOnce)
+{
+    // Each would double the time if what follows were read anew for it.
+    expectRefused("a 1;\n" + repeated("#e#ifeq", 100) + "\n", 2, "A keyword was expected");
+    expectRefused("a 1;\n" + repeated("#if#ifeq ", 100) + "b 2;\n", 2, "A keyword was expected");
+}
+
+TEST_F(Limits, OfFileNames)
+{
+    const std::string name(300, 'n');
+    expectRefused("\n#include \"" + name + "\"\n", 2, "there is no file");
+    expectRefused("\n#include \"f0/" + name + "\"\n", 2, "there is no file");
+    expectRefused("\n#includeEtc \"" + name + "\"\n", 2, "there is no such file");
+    EXPECT_TRUE(Dictionary::parse("#includeIfPresent \"" + name + "\"\na 1;").found("a"));
+}
+
 TEST_F(Limits, OfLists)
 {
     const Dictionary dict = Dictionary::parse("\na 4000000000{0};\nb 3{7};");
@@ -164,7 +180,12 @@ TEST_F(Limits, OfPatterns)
     EXPECT_NE(refusal(repeated("(", 100) + repeated(")", 100)).message.find("at most 50 levels"), std::string::npos);
     EXPECT_NE(refusal(std::string(1001, 'a')).message.find("at most 1000 characters"), std::string::npos);
     EXPECT_NE(refusal("((((a{9}){9}){9}){9}){9}").message.find("repetitions written out"), std::string::npos);
-    EXPECT_NE(refusal("a" + repeated("+", 30)).message.find("repetitions written out"), std::string::npos);
+    // Thirty of them kept the C library busy for minutes.
+    for (const std::string& again : {"a" + repeated("+", 30), "(" + repeated("*", 30) + "a)", std::string("a*{2}"), std::string("(b?*)a")})
+    {
+        const std::string message = refusal(again).message;
+        EXPECT_NE(message.find("repeats what is repeated already"), std::string::npos) << again << ": " << message;
+    }
     EXPECT_NE(refusal("(a)\\1").message.find("refers back"), std::string::npos);
     expectRefused("\n\"" + repeated("(", 9000) + repeated(")", 9000) + "\" 1;\nx $y;", 2, "18000 characters long");
 }
