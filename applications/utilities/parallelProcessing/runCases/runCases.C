@@ -5,6 +5,7 @@
 #include "caseRuns/MultiProcessService.H"
 #include "core/arguments/runApplication.H"
 #include "core/messages/Error.H"
+#include "core/paths/Existence.H"
 
 #include <unistd.h>
 
@@ -50,7 +51,7 @@ std::vector<CaseRun> readCases(const Arguments& args, const std::string& command
     std::vector<CaseRun> cases;
     for (const std::string& name : args.positionals("cases..."))
     {
-        if (!fs::is_directory(name)) throw FatalInputError({name, 0}, "The case is no directory", "a case folder");
+        if (!isFolder(name)) throw FatalInputError({name, 0}, "The case is no directory", "a case folder");
         const fs::path path = fs::canonical(name);
         if (!args.found("command") && access((path/"Allrun").c_str(), X_OK) != 0)
         {

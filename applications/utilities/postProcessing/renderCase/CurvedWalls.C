@@ -2,6 +2,7 @@
 #include "CurvedWalls.H"
 
 #include "core/dictionary/Dictionary.H"
+#include "core/paths/Existence.H"
 #include "meshes/StlFile.H"
 
 namespace shizuku
@@ -17,7 +18,7 @@ CurvedWalls readCurvedWalls(const std::filesystem::path& casePath, const std::se
         const Dictionary wall = walls.subDict(name);
         if (wall.lookupOr<std::string>("type", "") != "particles") continue;
         const auto file = casePath/"constant/triSurface"/wall.lookupOr<std::string>("surface", "");
-        if (file.extension() != ".stl" || !std::filesystem::exists(file)) continue;
+        if (file.extension() != ".stl" || !isThere(file)) continue;
 
         const double scale = wall.lookupOr("scale", 1.0);
         const PatchedSurface surface = readStl(file, name);
