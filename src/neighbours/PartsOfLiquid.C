@@ -241,6 +241,7 @@ void PartsOfLiquid::bring(Liquid& liquid, const CellGrid& grid, scalar reach)
         while (liquid.parts().any(more)) more = migrate(liquid, grid.view(), most);
     }
     addGhosts(liquid, grid, reach);
+    selection_ = {};                            // who sorts the particles wants as much
 }
 
 }

@@ -73,6 +73,7 @@ void SubStep::operator()(scalar dt)
         liquid_, near_, walls_, models_, [&] { models_.bodyForce->predict(liquid_, dt); }, [&] { applyForces(dt); }
     );
     lendVelocities(liquid_);
+    if (!models_.forces.actInIterations()) models_.freeSurface->lendPositions();
     walls_.project(liquid_);
     iterate(liquid_, near_, walls_, *models_.pressure, dt, [&] { return models_.forces.applyInIteration(liquid_, near_, walls_, dt); });
 
@@ -100,6 +101,7 @@ void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, s
         search(liquid, near, walls, models);
         findSurface();
         lengthen(liquid, near, walls, models, predict, findSurface);
+        models.freeSurface->lendPositions();
         walls.project(liquid);
         iterate(liquid, near, walls, *models.pressure, dt, [] { return false; });
         takePredicted(liquid);

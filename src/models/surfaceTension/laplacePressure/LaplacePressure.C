@@ -42,12 +42,13 @@ namespace shizuku
 namespace
 {
 
-// What a particle near the surface misses of its neighbourhood: the slope of the density's kernel there.
-struct KernelDeficiency
+// What a particle near the surface misses of its neighbourhood, the slope of the density's kernel there, and its curvature: what its neighbours read.
+struct alignas(16) KernelDeficiency
 {
     scalar planar;                          // g
     scalar disorder;                        // o times what it misses more
     scalar filled;                          // next to a wall the density over that of a planar surface at this depth; 1 elsewhere
+    scalar curvature;
 };
 
 template<class Kernel>
@@ -63,13 +64,14 @@ struct MeasureDeficiency
     WallContribution walls;                   // of the density's kernel
     FreeSurfaceView surface;
     HalfSpaceView plane;                    // of the density's kernel
+    Span<const scalar> curvature;
     Span<KernelDeficiency> deficiency;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const int k = int(surface.place[i]);
         const ConstraintSums liquid = constraintSums(W, volume, i, x, near, team);
-        const auto wall = walls(i, x[i], surface.contact[k], team);
+        const auto wall = walls(i, x[i], surface.contactAt(k), team);
         if (!team.first()) return;
         const Vec3 G = surface.gradient[k];
         const HalfSpaceValues gas = plane(surface.depthOf(k));
@@ -77,7 +79,7 @@ struct MeasureDeficiency
         const scalar density = (densityVolume * liquid.W + wall.value) / (1 - gas.density);
         const scalar atWall = fmin(wall.value / plane(0.5f * spacing).density, 1);
         const scalar missing = dot(liquid.gradient + wall.gradient, G) / fmax(norm(G), 1e-20f);
-        deficiency[k] = {planar, ordering * (missing - planar), 1 - atWall * (1 - density)};
+        deficiency[k] = {planar, ordering * (missing - planar), 1 - atWall * (1 - density), curvature[k]};
     }
 };
 
@@ -92,7 +94,6 @@ struct ApplyLaplacePressure
     NeighbourView near;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                        // with w = b
-    Span<const scalar> curvature;
     Span<const KernelDeficiency> deficiency;
     Span<Vec3> gradient;                            // with w = the lowest pressure
     ForceTarget target;
@@ -103,20 +104,22 @@ struct ApplyLaplacePressure
         const Position xi = surface.position[k];
         const Vec3 mi = normal[k];
         if (squared(mi) == 0) return;
-        const scalar own = curvature[k];
+        const KernelDeficiency here = deficiency[k];
+        const scalar own = here.curvature;
         const bool first = team.first();
         scalar weight = first ? W.W(0) * mi.w : 0, kappas = weight * own;
-        scalar planar = first ? W.W(0) * deficiency[k].planar : 0, disorder = first ? W.W(0) * deficiency[k].disorder : 0;
-        scalar all = first ? W.W(0) : 0, filled = all * deficiency[k].filled;
+        scalar planar = first ? W.W(0) * here.planar : 0, disorder = first ? W.W(0) * here.disorder : 0;
+        scalar all = first ? W.W(0) : 0, filled = all * here.filled;
         forEachOnSurface(i, mi, near, surface, normal, [&](int l, Vec3 other)
         {
             const scalar w = W.W(norm(surface.position[l] - xi));
+            const KernelDeficiency there = deficiency[l];
             weight += w * other.w;
-            kappas += w * other.w * curvature[l];
-            planar += w * deficiency[l].planar;
-            disorder += w * deficiency[l].disorder;
+            kappas += w * other.w * there.curvature;
+            planar += w * there.planar;
+            disorder += w * there.disorder;
             all += w;
-            filled += w * deficiency[l].filled;
+            filled += w * there.filled;
         }, team);
         weight = team.sum(weight);
         kappas = team.sum(kappas);
@@ -131,7 +134,7 @@ struct ApplyLaplacePressure
         const Vec3 G = gradient[k];
         gradient[k].w = lowestBehind(jump, G.w);
         const scalar more = fmin(fmax(disorder / fmax(planar, 1e-20f), -farthest), farthest);
-        const scalar share = deficiency[k].planar * (jump < 0 ? 1 - more : 1 + more);
+        const scalar share = here.planar * (jump < 0 ? 1 - more : 1 + more);
         target.add(i, 2 * jump * share / (restDensity * norm(G)) * G);
     }
 };
@@ -170,16 +173,16 @@ private:
                 {
                     W, liquid.particleVolume(), liquid.particleVolume() / liquid.latticeSum(), liquid.spacing(), surface_.agreed().ordering,
                     liquid.predicted.span(), near.view(),
-                    {extended_->view(), W.h, walls.view(liquid)}, view, {plane_.span(), W.h}, deficiency.span()
+                    {extended_->view(), W.h, walls.view(liquid)}, view, {plane_.span(), W.h}, field.curvature.span(), deficiency.span()
                 });
             },
             liquid.kernel()
         );
-        liquid.ghosts().copy({valuesOf(surface_.particles(), field.curvature), valuesOf(surface_.particles(), deficiency)}, GhostsOf::lists);
+        liquid.ghosts().copy({valuesOf(surface_.particles(), deficiency)}, GhostsOf::lists);
         forEachTeam(surface_.particles(), ApplyLaplacePressure
         {
-            surface_.kernel(), sigma_, liquid.restDensity(), followed(), near.view(), view, field.normal.span(), field.curvature.span(),
-            deficiency.span(), surface_.gradient(), target
+            surface_.kernel(), sigma_, liquid.restDensity(), followed(), near.view(), view, field.normal.span(), deficiency.span(),
+            surface_.gradient(), target
         });
     }
 
