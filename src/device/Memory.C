@@ -17,12 +17,6 @@ namespace shizuku::device
 namespace
 {
 
-struct Block
-{
-    void* memory = nullptr;
-    std::size_t bytes = 0;
-};
-
 // Blocks that nobody uses at present, the last one released behind the others.
 class KeptBlocks
 {
@@ -119,9 +113,9 @@ std::size_t forget(void* memory) noexcept
 
 void dropKeptMemory() { kept().dropAll(); }
 
-void* allocate(std::size_t wanted)
+Block allocate(std::size_t wanted)
 {
-    if (wanted == 0) return nullptr;
+    if (wanted == 0) return {};
     auto& counters = deviceCounters();
     Block block = kept().take(sizeOf(wanted));
     if (!block.memory)
@@ -147,7 +141,7 @@ void* allocate(std::size_t wanted)
     sizes()[block.memory] = block.bytes;
     counters.bytes += block.bytes;
     counters.peakBytes = std::max(counters.peakBytes, counters.bytes + kept().bytes());
-    return block.memory;
+    return block;
 }
 
 void release(void* memory) noexcept

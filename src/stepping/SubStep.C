@@ -102,10 +102,13 @@ void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, s
         findSurface();
         lengthen(liquid, near, walls, models, predict, findSurface);
         models.freeSurface->lendPositions();
+        const std::vector<Vec3> velocities = liquid.velocity.download();        // their memory is the pressure's, as in a step
+        lendVelocities(liquid);
         walls.project(liquid);
         iterate(liquid, near, walls, *models.pressure, dt, [] { return false; });
         takePredicted(liquid);
         models.pressure->forget();
+        liquid.velocity.upload(velocities);
     }
 }
 
