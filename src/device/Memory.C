@@ -21,13 +21,13 @@ namespace
 class KeptBlocks
 {
 public:
-    // The smallest that is as large, or up to an eighth larger: of these the last one released.
+    // The smallest that is as large, or up to a quarter larger: of these the last one released.
     Block take(std::size_t bytes)
     {
         auto best = blocks_.end();
         for (auto block = blocks_.begin(); block != blocks_.end(); ++block)
         {
-            if (block->bytes >= bytes && block->bytes <= bytes + bytes / 8 && (best == blocks_.end() || block->bytes <= best->bytes)) best = block;
+            if (block->bytes >= bytes && block->bytes <= bytes + bytes / 4 && (best == blocks_.end() || block->bytes <= best->bytes)) best = block;
         }
         if (best == blocks_.end()) return {};
         const Block found = *best;
@@ -35,15 +35,18 @@ public:
         return found;
     }
 
-    // Those that are smaller by an eighth at most go: who asked for them asks for more now, or takes as well what is a little larger. Whether there were any.
-    bool dropOutgrown(std::size_t bytes)
+    // Those that are smaller by a fifth at most go: who asked for them asks for more now, or takes what is larger as well. Returns the size of the largest.
+    std::size_t dropOutgrown(std::size_t bytes)
     {
-        return std::erase_if(blocks_, [&](const Block& block)
+        std::size_t largest = 0;
+        std::erase_if(blocks_, [&](const Block& block)
         {
-            if (block.bytes >= bytes || block.bytes < bytes - bytes / 8) return false;
+            if (block.bytes >= bytes || block.bytes < bytes - bytes / 5) return false;
+            largest = std::max(largest, block.bytes);
             deleteBlock(block.memory);
             return true;
-        }) > 0;
+        });
+        return largest;
     }
 
     // The oldest ones go where there are too many, or where they hold more than mostBytes.
@@ -120,8 +123,8 @@ Block allocate(std::size_t wanted)
     Block block = kept().take(sizeOf(wanted));
     if (!block.memory)
     {
-        // What has grown soon grows again.
-        block.bytes = sizeOf(kept().dropOutgrown(sizeOf(wanted)) ? wanted + wanted / 32 : wanted);
+        const bool hasGrown = kept().dropOutgrown(sizeOf(wanted)) > wanted - wanted / 16;      // by a little: soon it grows again
+        block.bytes = sizeOf(hasGrown ? wanted + wanted / 32 : wanted);
         block.memory = newBlock(block.bytes);
     }
     if (!block.memory)
