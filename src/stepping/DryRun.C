@@ -50,6 +50,7 @@ RunForecast forecastRun
     forecast.subSteps = std::max(0.0, std::ceil(left / time.deltaT() - 1e-9)) * forecast.subStep.count;
 
     const scalar dt = liquid.units().toScaled(forecast.subStep.dt, dimensions::time);
+    if (time.index() == 0) settle(liquid, near, walls, models, dt);
     SubStep subStep(liquid, near, walls, models);
     const auto step = [&] { subStep(dt); };
     forecast.firstSubStep = secondsOf(step);

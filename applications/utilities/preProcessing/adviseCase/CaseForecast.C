@@ -8,7 +8,6 @@
 #include "motion/SpeedMeter.H"
 #include "particles/ParticleFiles.H"
 #include "stepping/CaseSetup.H"
-#include "stepping/SubStep.H"
 
 #include <algorithm>
 #include <array>
@@ -95,12 +94,6 @@ CaseForecast forecastCase(const TrialCase& trial, const std::vector<std::string>
     SpeedMeter meter;
     const double speed = meter.measure(liquid).now;
     const auto limits = control.limits(time.deltaT(), speed, liquid, models);
-    if (time.index() == 0)
-    {
-        const SubSteps steps = control.divide(time.deltaT(), speed, liquid, models);
-        Neighbourhood settling(liquid);         // its memory serves the steps
-        settle(liquid, settling, walls, models, liquid.units().toScaled(steps.dt, dimensions::time));
-    }
     const RunForecast run = forecastRun(time, control, liquid, near, walls, models, speed, measuredFor);
     const double firstStep = std::max(0.0, run.firstSubStep - run.secondsPerSubStep);
     const double functionsTime = secondsOfFunctions(time, functions, flow, run.subStep.dt);
