@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -21,13 +22,15 @@ namespace
 class KeptBlocks
 {
 public:
-    // The smallest that is as large, or up to a quarter larger: of these the last one released.
+    // The smallest that is as large, or up to a quarter larger: of these the first in memory. So it does not matter who released which, and after two steps
+    // everybody mostly has the same again, as graphs of kernels want it (cuda/LaunchQueue.H).
     Block take(std::size_t bytes)
     {
+        const auto isBetter = [](const Block& a, const Block& b) { return a.bytes != b.bytes ? a.bytes < b.bytes : std::less<>()(a.memory, b.memory); };
         auto best = blocks_.end();
         for (auto block = blocks_.begin(); block != blocks_.end(); ++block)
         {
-            if (block->bytes >= bytes && block->bytes <= bytes + bytes / 4 && (best == blocks_.end() || block->bytes <= best->bytes)) best = block;
+            if (block->bytes >= bytes && block->bytes <= bytes + bytes / 4 && (best == blocks_.end() || isBetter(*block, *best))) best = block;
         }
         if (best == blocks_.end()) return {};
         const Block found = *best;
