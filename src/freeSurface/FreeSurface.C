@@ -177,6 +177,7 @@ void FreeSurface::require(const Liquid& liquid, scalar support, scalar suction)
     const scalar shallowest = 0.5f * liquid.spacing();
     largestRatio_ = ratioAt(view, shallowest);
     depthOfRatio_.upload(tabulateDepths(view, shallowest));
+    if (!foundContact_) contact_.upload(std::vector<ContactLine>(1));
 }
 
 bool FreeSurface::cutOff()
@@ -184,7 +185,7 @@ bool FreeSurface::cutOff()
     if (asked_) found_ = int(*readCount_.wait());
     if (askedContact_) foundContact_ = *readContact_.wait() > 0;
     asked_ = askedContact_ = false;
-    return found_ > room_ || (foundContact_ && contact_.size() == 0);
+    return found_ > room_ || (foundContact_ && contact_.size() < room_);
 }
 
 void FreeSurface::makeRoom()
@@ -195,12 +196,12 @@ void FreeSurface::makeRoom()
         gradient_.discard();
         depth_.discard();
         position_.discard();
-        contact_.discard();
+        if (foundContact_) contact_.discard();
         device::dropKeptMemory();           // of as many as there were: nobody asks for it again
         gradient_.resize(room_);
         depth_.resize(room_);
     }
-    contact_.resize(foundContact_ ? room_ : 0);
+    if (foundContact_) contact_.resize(room_);
 }
 
 void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
@@ -246,8 +247,8 @@ void FreeSurface::reconstruct(const Liquid& liquid, const Neighbourhood& near, c
     forEachTeam(particles_, Reconstruct
     {
         liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view(liquid)}, plane(), steepest_},
-        depthOfRatio_.span(), largestRatio_, suction_, particles_.before.span(), gradient_.span(), depth_.span(), position_.span(), contact_.span(),
-        anyContact_.span()
+        depthOfRatio_.span(), largestRatio_, suction_, particles_.before.span(), gradient_.span(), depth_.span(), position_.span(),
+        foundContact_ ? contact_.span() : Span<ContactLine>{}, anyContact_.span()
     });
     if (foundContact_) return;
     readContact_.ask(anyContact_);

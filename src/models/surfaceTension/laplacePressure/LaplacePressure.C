@@ -104,12 +104,11 @@ struct ApplyLaplacePressure
         const Position xi = surface.position[k];
         const Vec3 mi = normal[k];
         if (squared(mi) == 0) return;
-        const KernelDeficiency here = deficiency[k];
-        const scalar own = here.curvature;
+        const scalar own = deficiency[k].curvature;
         const bool first = team.first();
         scalar weight = first ? W.W(0) * mi.w : 0, kappas = weight * own;
-        scalar planar = first ? W.W(0) * here.planar : 0, disorder = first ? W.W(0) * here.disorder : 0;
-        scalar all = first ? W.W(0) : 0, filled = all * here.filled;
+        scalar planar = first ? W.W(0) * deficiency[k].planar : 0, disorder = first ? W.W(0) * deficiency[k].disorder : 0;
+        scalar all = first ? W.W(0) : 0, filled = all * deficiency[k].filled;
         forEachOnSurface(i, mi, near, surface, normal, [&](int l, Vec3 other)
         {
             const scalar w = W.W(norm(surface.position[l] - xi));
@@ -134,7 +133,7 @@ struct ApplyLaplacePressure
         const Vec3 G = gradient[k];
         gradient[k].w = lowestBehind(jump, G.w);
         const scalar more = fmin(fmax(disorder / fmax(planar, 1e-20f), -farthest), farthest);
-        const scalar share = here.planar * (jump < 0 ? 1 - more : 1 + more);
+        const scalar share = deficiency[k].planar * (jump < 0 ? 1 - more : 1 + more);
         target.add(i, 2 * jump * share / (restDensity * norm(G)) * G);
     }
 };
