@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace shizuku::device
@@ -16,24 +18,38 @@ namespace shizuku::device
 namespace
 {
 
-struct Block
-{
-    void* memory;
-    std::size_t bytes;
-};
-
 // Blocks that nobody uses at present, the last one released behind the others.
 class KeptBlocks
 {
 public:
-    // One of just that size; nullptr where there is none.
-    void* take(std::size_t bytes)
+    // The smallest that is as large, or up to a quarter larger: of these the first in memory. So it does not matter who released which, and after two steps
+    // everybody mostly has the same again, as graphs of kernels want it (cuda/LaunchQueue.H).
+    Block take(std::size_t bytes)
     {
-        const auto fit = std::find_if(blocks_.rbegin(), blocks_.rend(), [&](const Block& b) { return b.bytes == bytes; });
-        if (fit == blocks_.rend()) return nullptr;
-        void* const memory = fit->memory;
-        blocks_.erase(std::next(fit).base());
-        return memory;
+        const auto isBetter = [](const Block& a, const Block& b) { return a.bytes != b.bytes ? a.bytes < b.bytes : std::less<>()(a.memory, b.memory); };
+        auto best = blocks_.end();
+        for (auto block = blocks_.begin(); block != blocks_.end(); ++block)
+        {
+            if (block->bytes >= bytes && block->bytes <= bytes + bytes / 4 && (best == blocks_.end() || isBetter(*block, *best))) best = block;
+        }
+        if (best == blocks_.end()) return {};
+        const Block found = *best;
+        blocks_.erase(best);
+        return found;
+    }
+
+    // Those that are smaller by a fifth at most go: who asked for them asks for more now, or takes what is larger as well. Returns the size of the largest.
+    std::size_t dropOutgrown(std::size_t bytes)
+    {
+        std::size_t largest = 0;
+        std::erase_if(blocks_, [&](const Block& block)
+        {
+            if (block.bytes >= bytes || block.bytes < bytes - bytes / 5) return false;
+            largest = std::max(largest, block.bytes);
+            deleteBlock(block.memory);
+            return true;
+        });
+        return largest;
     }
 
     // The oldest ones go where there are too many, or where they hold more than mostBytes.
@@ -73,6 +89,13 @@ KeptBlocks& kept()
     return blocks;
 }
 
+// Bytes of each block in use.
+std::unordered_map<void*, std::size_t>& sizes()
+{
+    static auto& sizes = *new std::unordered_map<void*, std::size_t>;
+    return sizes;
+}
+
 // Small blocks come in eight sizes an octave, of a megabyte and more in 32: what changes a little from step to step finds its memory again. Large
 // ones come in whole pages: arrays that differ by an entry have the same memory one after the other.
 std::size_t sizeOf(std::size_t bytes)
@@ -82,48 +105,63 @@ std::size_t sizeOf(std::size_t bytes)
     return (bytes + unit - 1) / unit * unit;
 }
 
+// It is not in use any more. Its bytes.
+std::size_t forget(void* memory) noexcept
+{
+    const auto found = sizes().find(memory);
+    const std::size_t bytes = found->second;
+    sizes().erase(found);
+    deviceCounters().bytes -= bytes;
+    return bytes;
+}
+
 }
 
 void dropKeptMemory() { kept().dropAll(); }
 
-void* allocate(std::size_t wanted)
+Block allocate(std::size_t wanted)
 {
-    if (wanted == 0) return nullptr;
-    const std::size_t bytes = sizeOf(wanted);
+    if (wanted == 0) return {};
     auto& counters = deviceCounters();
-    void* memory = kept().take(bytes);
-    if (!memory) memory = newBlock(bytes);
-    if (!memory)
+    Block block = kept().take(sizeOf(wanted));
+    if (!block.memory)
+    {
+        const bool hasGrown = kept().dropOutgrown(sizeOf(wanted)) > wanted - wanted / 16;      // by a little: soon it grows again
+        block.bytes = sizeOf(hasGrown ? wanted + wanted / 32 : wanted);
+        block.memory = newBlock(block.bytes);
+    }
+    if (!block.memory)
     {
         kept().dropAll();
-        memory = newBlock(bytes);
+        block.bytes = sizeOf(wanted);
+        block.memory = newBlock(block.bytes);
     }
-    if (!memory)
+    if (!block.memory)
     {
         throw FatalError
         (
-            "Not enough memory on the device: cannot allocate " + std::to_string(bytes >> 20) + " MiB beside the "
+            "Not enough memory on the device: cannot allocate " + std::to_string(block.bytes >> 20) + " MiB beside the "
           + std::to_string(counters.bytes >> 20) + " MiB in use"
         );
     }
-    counters.bytes += bytes;
+    sizes()[block.memory] = block.bytes;
+    counters.bytes += block.bytes;
     counters.peakBytes = std::max(counters.peakBytes, counters.bytes + kept().bytes());
-    return memory;
+    return block;
 }
 
-void release(void* memory, std::size_t wanted) noexcept
+void release(void* memory) noexcept
 {
     if (!memory) return;
-    const std::size_t bytes = sizeOf(wanted);
-    deviceCounters().bytes -= bytes;
+    const std::size_t bytes = forget(memory);
     kept().bring({memory, bytes}, deviceCounters().bytes);      // no more than is in use
 }
 
-void discard(void* memory, std::size_t wanted) noexcept
+void discard(void* memory) noexcept
 {
     if (!memory) return;
+    forget(memory);
     deleteBlock(memory);
-    deviceCounters().bytes -= sizeOf(wanted);
 }
 
 }

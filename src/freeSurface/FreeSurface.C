@@ -2,6 +2,7 @@
 #include "freeSurface/FreeSurface.H"
 
 #include "device/Algorithms.H"
+#include "device/Atomic.H"
 #include "device/Copy.H"
 #include "device/Holds.H"
 #include "device/KeptMemory.H"
@@ -87,8 +88,10 @@ struct Reconstruct
     scalar largestRatio, suction;
     Span<const std::uint32_t> place;
     Span<Vec3> gradient;
+    Span<scalar> depth;
     Span<Position> position;
-    Span<ContactLine> contact;
+    Span<ContactLine> contact;              // empty: none has been found so far
+    Span<std::uint32_t> any;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
@@ -102,9 +105,12 @@ struct Reconstruct
         if (!team.first()) return;
         colour += wall.value;
         G += wall.gradient;
-        contact[k] = line;
+        if (contact.size > 0) contact[k] = line;
+        else if (line.wall >= 0) put(any[0], 1u);
         gradient[k] = {G.x, G.y, G.z, -suction};
-        position[k] = {xi.x, xi.y, xi.z, wordOf(depthOf(norm(G) / colour * completion.h))};
+        const scalar s = depthOf(norm(G) / colour * completion.h);
+        depth[k] = s;
+        position[k] = {xi.x, xi.y, xi.z, wordOf(s)};
     }
 
 private:
@@ -171,31 +177,37 @@ void FreeSurface::require(const Liquid& liquid, scalar support, scalar suction)
     const scalar shallowest = 0.5f * liquid.spacing();
     largestRatio_ = ratioAt(view, shallowest);
     depthOfRatio_.upload(tabulateDepths(view, shallowest));
+    if (!foundContact_) contact_.upload(std::vector<ContactLine>(1));
 }
 
 bool FreeSurface::cutOff()
 {
     if (asked_) found_ = int(*readCount_.wait());
-    asked_ = false;
-    return found_ > room_;
+    if (askedContact_) foundContact_ = *readContact_.wait() > 0;
+    asked_ = askedContact_ = false;
+    return found_ > room_ || (foundContact_ && contact_.size() < room_);
 }
 
 void FreeSurface::makeRoom()
 {
-    room_ = found_ + found_ / 8;
-    gradient_.discard();
-    position_.discard();
-    contact_.discard();
-    device::dropKeptMemory();               // of as many as there were: nobody asks for it again
-    gradient_.resize(room_);
-    position_.resize(room_);
-    contact_.resize(room_);
+    if (found_ > room_)
+    {
+        room_ = found_ + found_ / 8;
+        gradient_.discard();
+        depth_.discard();
+        position_.discard();
+        if (foundContact_) contact_.discard();
+        device::dropKeptMemory();           // of as many as there were: nobody asks for it again
+        gradient_.resize(room_);
+        depth_.resize(room_);
+    }
+    if (foundContact_) contact_.resize(room_);
 }
 
 void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
 {
     if (!active()) return;
-    if (found_ > room_) makeRoom();
+    makeRoom();
     if (!extended_) extended_.emplace(*kernel_, walls.contactAngles(kernel_->h));
     Buffer<std::uint32_t> counts;
     Buffer<std::uint8_t> isNear(liquid.all());
@@ -205,22 +217,42 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
     particles_.ghosts = liquid.all() - liquid.owned();
     select(isNear, particles_, room_, readCount_);
     asked_ = true;
-    if (room_ == 0 && cutOff())
+    const bool begins = room_ == 0;
+    if (begins && cutOff())
     {
         makeRoom();
         select(isNear, particles_, room_, readCount_);
     }
-    const Span<const std::uint32_t> place = particles_.before.span();
+    reconstruct(liquid, near, walls);
+    if (begins && cutOff())
+    {
+        makeRoom();
+        reconstruct(liquid, near, walls);
+    }
+    liquid.ghosts().copy({valuesOf(particles_, position_)});
+}
+
+void FreeSurface::reconstruct(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
+{
+    position_.resizeDiscarding(room_);
     asShared(near.wide(liquid), [&]<class Search>(const Search& wide)
     {
         forEachGroup(particles_, SumColour<Search>{*kernel_, liquid.particleVolume() / latticeSum_, wide, particles_.indices.span(), gradient_.span()});
     });
+    if (anyContact_.size() == 0)
+    {
+        anyContact_.resize(1);
+        anyContact_.setZero();
+    }
     forEachTeam(particles_, Reconstruct
     {
         liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view(liquid)}, plane(), steepest_},
-        depthOfRatio_.span(), largestRatio_, suction_, place, gradient_.span(), position_.span(), contact_.span()
+        depthOfRatio_.span(), largestRatio_, suction_, particles_.before.span(), gradient_.span(), depth_.span(), position_.span(),
+        foundContact_ ? contact_.span() : Span<ContactLine>{}, anyContact_.span()
     });
-    liquid.ghosts().copy({valuesOf(particles_, position_)});
+    if (foundContact_) return;
+    readContact_.ask(anyContact_);
+    askedContact_ = true;
 }
 
 }

@@ -4,8 +4,6 @@
 #include "caseFiles/VectorField.H"
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 
 namespace shizuku
 {
@@ -14,19 +12,6 @@ namespace
 {
 
 constexpr Dimensions perTime{{0, 0, -1, 0, 0, 0, 0}};
-
-// Before they are made: so many need no body of liquid, but its size in millimetres.
-void refuseTooMany(const LiquidBody& shape, double spacing, const SourceLocation& where)
-{
-    constexpr double most = 2e9;            // what numbers of 32 bits count
-    const double count = shape.volume()/(spacing*spacing*spacing);
-    if (count <= most) return;
-    std::ostringstream found, expected;
-    found << "The body of liquid has " << shape.volume() << " m3, " << count << " particles at the spacing of " << spacing << " m";
-    expected << "up to " << most << " particles: a smaller body, in metres, or a spacing from " << std::cbrt(shape.volume()/most)
-             << " m in system/solution";
-    throw FatalInputError(where, found.str(), expected.str());
-}
 
 FilledBody readBody(const Dictionary& dict, const std::string& name, const std::filesystem::path& casePath, double spacing)
 {

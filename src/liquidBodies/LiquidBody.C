@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <sstream>
 #include <utility>
@@ -18,7 +17,6 @@ namespace shizuku
 namespace
 {
 
-constexpr double maxParticles = std::numeric_limits<int>::max();
 constexpr double bytesPerParticle = 64;                 // while they are placed: cells of positions and parts, and what is kept of them
 constexpr int n = 6;                    // parts of a cell's edge; n^3 of them tell how far it is inside
 
@@ -133,17 +131,22 @@ std::vector<Vector3> LiquidBody::fill(double spacing, const SourceLocation& wher
     return fillLattice(*this, spacing, where);
 }
 
+void refuseTooMany(const LiquidBody& body, double spacing, const SourceLocation& where)
+{
+    constexpr double most = 2e9;            // what numbers of 32 bits count
+    const double count = body.volume()/(spacing*spacing*spacing);
+    if (count <= most) return;
+    std::ostringstream found, expected;
+    found << "The body of liquid has " << body.volume() << " m3, " << count << " particles at the spacing of " << spacing << " m";
+    expected << "up to " << most << " particles: a smaller body, in metres, or a spacing from " << std::cbrt(body.volume()/most)
+             << " m in system/solution";
+    throw FatalInputError(where, found.str(), expected.str());
+}
+
 std::vector<Vector3> fillLattice(const LiquidBody& body, double spacing, const SourceLocation& where)
 {
+    refuseTooMany(body, spacing, where);
     const double exact = body.volume()/(spacing*spacing*spacing);
-    if (exact > maxParticles)
-    {
-        std::ostringstream found;
-        found << "The body has a volume of " << body.volume() << " m3, which is " << exact << " particles of spacing "
-              << spacing << " m";
-        throw FatalInputError(where, found.str(), "at most 2^31 - 1 particles: lengths in metres, a larger spacing");
-    }
-
     const double needed = exact*bytesPerParticle, there = double(sysconf(_SC_PHYS_PAGES))*double(sysconf(_SC_PAGE_SIZE));
     if (needed > there)
     {

@@ -28,7 +28,7 @@ struct CountInCells
     {
         const Position p = at(i);
         if (quanta::single && isFar(p, at(0))) put(wide[0], 1u);
-        const std::uint32_t key = grid.key(p) + (i < owned ? 0 : grid.ghosts);
+        const std::uint32_t key = grid.key(p, i < owned);
         keys[i] = key;
         places[i] = increment(count[int(key)]);
     }
@@ -130,12 +130,20 @@ CellGrid::Bits CellGrid::bitsFor(int n) const
     return {x, y, bits - x - y};
 }
 
+// A sixteenth of the cells of all. Ghosts lie around a part, and in a plane most of them: it has room in any direction where copies along y follow each other
+// along z.
+CellGrid::Bits CellGrid::bitsOfGhosts() const
+{
+    if (sharesAsWhole()) return bits_;          // the same candidates in any parts
+    constexpr std::uint32_t fewer = 4;
+    return {bits_.x, leastBits_, std::max(leastBits_, bits_.y + bits_.z - std::min(bits_.y + bits_.z, leastBits_ + fewer))};
+}
+
 void CellGrid::chooseSize(int n, bool withGhosts)
 {
     bits_ = bitsFor(sharedAs(n));
     withGhosts_ = withGhosts;
-    const std::uint32_t bits = bits_.x + bits_.y + bits_.z;
-    start_.resizeDiscarding((withGhosts ? 2 << bits : 1 << bits) + 1);
+    start_.resizeDiscarding((1 << bits_.all()) + (withGhosts ? 1 << bitsOfGhosts().all() : 0) + 1);
 }
 
 CellGridView CellGrid::view() const
@@ -143,10 +151,11 @@ CellGridView CellGrid::view() const
     const scalar cellSize = scalar(std::ldexp(double(width_), CellGridView::coarseBits - quanta::fractionBits)), perCell = 1 / cellSize;
     const std::uint32_t shifts = std::uint32_t(std::bit_width(width_)) - 1;
     const auto perWidth = std::uint32_t((std::uint64_t(1) << (32 + shifts)) / width_ + 1);
+    const Bits ofGhosts = bitsOfGhosts();
     return
     {
         cellSize, perCell, device::cellsInWidth * perCell, width_, perWidth, shifts, bits_.x, bits_.y, bits_.z, start_.span(),
-        withGhosts_ ? 1u << (bits_.x + bits_.y + bits_.z) : 0, wide_.span().data, own_
+        withGhosts_ ? 1u << bits_.all() : 0, ofGhosts.y, ofGhosts.z, wide_.span().data, own_
     };
 }
 

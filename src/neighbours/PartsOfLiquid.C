@@ -4,6 +4,7 @@
 #include "device/Algorithms.H"
 #include "device/ForEach.H"
 #include "device/Gather.H"
+#include "device/KeptMemory.H"
 #include "neighbours/MarkRows.H"
 
 #include <algorithm>
@@ -239,8 +240,10 @@ void PartsOfLiquid::bring(Liquid& liquid, const CellGrid& grid, scalar reach)
     if (most < unlimited)
     {
         while (liquid.parts().any(more)) more = migrate(liquid, grid.view(), most);
+        device::dropKeptMemory();               // of records: seldom do so many leave
     }
     addGhosts(liquid, grid, reach);
+    selection_ = {};                            // who sorts the particles wants as much
 }
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stepping/CaseSetup.H"
 
+#include "device/KeptMemory.H"
 #include "parallel/AllParts.H"
 
 namespace shizuku
@@ -74,6 +75,7 @@ void CaseSetup::refuseBadStart(const Time& time) const
 {
     refuseOverlap(time);
     refuseLiquidInside(time);
+    device::dropKeptMemory();               // of reading, the first cut and these checks: steps want other sizes
 }
 
 void CaseSetup::refuseOverlap(const Time& time) const

@@ -40,8 +40,8 @@ std::string ofParts(const std::vector<std::size_t>& bytes, const std::vector<int
 
 RunForecast forecastRun
 (
-    const Time& time, const StepControl& control, Liquid& liquid, Walls& walls, Models& models, double maxSpeed,
-    double measuredFor, const std::optional<RowCut>& cut
+    const Time& time, const StepControl& control, Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, double maxSpeed,
+    double measuredFor
 )
 {
     RunForecast forecast;
@@ -49,9 +49,8 @@ RunForecast forecastRun
     const double left = std::max(0.0, time.endTime() - time.value());
     forecast.subSteps = std::max(0.0, std::ceil(left / time.deltaT() - 1e-9)) * forecast.subStep.count;
 
-    Neighbourhood near(liquid);
-    if (cut) near.cut(*cut);
     const scalar dt = liquid.units().toScaled(forecast.subStep.dt, dimensions::time);
+    if (time.index() == 0) settle(liquid, near, walls, models, dt);
     SubStep subStep(liquid, near, walls, models);
     const auto step = [&] { subStep(dt); };
     forecast.firstSubStep = secondsOf(step);
@@ -69,11 +68,11 @@ RunForecast forecastRun
 
 void reportDryRun
 (
-    const Time& time, const StepControl& control, Liquid& liquid, Walls& walls, Models& models,
-    const DeviceInfo& device, double maxSpeed, const std::optional<RowCut>& cut
+    const Time& time, const StepControl& control, Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models,
+    const DeviceInfo& device, double maxSpeed
 )
 {
-    const RunForecast forecast = forecastRun(time, control, liquid, walls, models, maxSpeed, 0, cut);
+    const RunForecast forecast = forecastRun(time, control, liquid, near, walls, models, maxSpeed);
     const std::vector<std::size_t> bytes = liquid.parts().gather(forecast.bytes);
     const std::vector<int> particles = liquid.parts().gather(liquid.owned()), ghosts = liquid.parts().gather(liquid.all() - liquid.owned());
     const std::size_t most = std::max_element(bytes.begin(), bytes.end()) - bytes.begin();

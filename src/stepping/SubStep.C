@@ -73,6 +73,7 @@ void SubStep::operator()(scalar dt)
         liquid_, near_, walls_, models_, [&] { models_.bodyForce->predict(liquid_, dt); }, [&] { applyForces(dt); }
     );
     lendVelocities(liquid_);
+    if (!models_.forces.actInIterations()) models_.freeSurface->lendPositions();
     walls_.project(liquid_);
     iterate(liquid_, near_, walls_, *models_.pressure, dt, [&] { return models_.forces.applyInIteration(liquid_, near_, walls_, dt); });
 
@@ -100,10 +101,14 @@ void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, s
         search(liquid, near, walls, models);
         findSurface();
         lengthen(liquid, near, walls, models, predict, findSurface);
+        models.freeSurface->lendPositions();
+        const std::vector<Vec3> velocities = liquid.velocity.download();        // their memory is the pressure's, as in a step
+        lendVelocities(liquid);
         walls.project(liquid);
         iterate(liquid, near, walls, *models.pressure, dt, [] { return false; });
         takePredicted(liquid);
         models.pressure->forget();
+        liquid.velocity.upload(velocities);
     }
 }
 

@@ -66,11 +66,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     reportStart(flow, liquid);
     limitStepsOfBlobs(flow, liquid, step);
     FallenLiquid fallen(setup);
-    if (args.found("dry-run"))
-    {
-        const std::optional<RowCut> cut = isCut ? std::optional(balance.cut()) : std::nullopt;
-        return reportDryRun(time, step.control(), liquid, *setup.walls, *setup.models, device, step.speeds().now, cut);
-    }
+    if (args.found("dry-run")) return reportDryRun(time, step.control(), liquid, near, *setup.walls, *setup.models, device, step.speeds().now);
 
     std::optional<CaseLock> alone;
     if (isFirst) alone.emplace(args.casePath());

@@ -24,7 +24,7 @@ void InterParticleForces::applyBeforeIterations(Liquid& liquid, const Neighbourh
 bool InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
 {
     if (everyIteration_) apply(liquid, near, walls, dt);
-    return everyIteration_ && active();
+    return actInIterations();
 }
 
 InternalDisplacement InterParticleForces::takeDisplacement(scalar dt)

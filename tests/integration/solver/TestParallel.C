@@ -3,6 +3,7 @@
 
 #include "SolverCase.H"
 
+#include "caseFiles/VectorField.H"
 #include "core/fieldFile/FieldFile.H"
 
 #include <algorithm>
@@ -249,6 +250,29 @@ TEST_P(Parallel, ADryRunTellsWhatEachRankNeeds)
     EXPECT_EQ(ranks, 3) << outcome.text;
     EXPECT_EQ(all, particles);
     EXPECT_TRUE(same(kept, contents()));
+}
+
+// A bar that falls, cut in its middle: two rows of cells beside the cut are ghosts, 6 % of what a rank has, and of all that it holds of a particle it needs as much more. Four
+// bytes are for the order of the whole, a thirty-second is room for what comes and goes, and what travels takes memory. What the start wanted is not there any more.
+TEST_P(Parallel, NeedsLittleMoreMemoryThanOneProcess)
+{
+    std::vector<Vector3> positions;
+    for (int x = 0; x < 20; ++x) for (int y = 0; y < 120; ++y) for (int z = 0; z < 20; ++z) positions.push_back(spacing*Vector3(x, y, z + 20));
+    writeField(path()/"0/liquid/positions", toField("positions", dimensions::length, positions), {});
+    FieldData velocity = toField("U", dimensions::velocity, {{0, 0, 0}});
+    velocity.uniform = true;
+    writeField(path()/"0/liquid/U", velocity, {});
+    write("constant/models", "pressure completedPbf;\nsurfaceTension laplacePressure;\nwetting extendedSurface;\nviscosity newtonian;\nbodyForce gravity;\n");
+    control("endTime 4e-4; deltaT 2e-4; adjustTimeStep no; writeControl none;");
+    const auto bytesOf = [](const Outcome& outcome)
+    {
+        std::smatch match;
+        EXPECT_EQ(outcome.status, 0) << outcome.text;
+        return std::regex_search(outcome.text, match, std::regex("(\\d+) bytes a liquid particle")) ? std::stoi(match[1]) : 0;
+    };
+    const int one = bytesOf(solve()), two = bytesOf(run(parallel(2)));
+    EXPECT_GT(one, 0);
+    EXPECT_LE(two, 1.15*one) << one << " and " << two;
 }
 
 // The ranks read a share each. Six particles of two shares in one place: the density there is above 1.9.

@@ -93,7 +93,7 @@ TEST(Buffer, HasRoomForAQuarterMoreWhenItGrows)
         EXPECT_EQ(buffer.size(), n);
     }
     EXPECT_EQ(deviceCounters().bytes, bytes);
-    buffer.resizeDiscarding(1251);
+    buffer.resizeDiscarding(1281);              // 5,000 bytes are 5,120
     EXPECT_GT(deviceCounters().bytes, bytes);
 }
 
@@ -109,4 +109,25 @@ TEST(Buffer, TakesWhatAnotherLeft)
     Buffer<float> second(n), third(n);
     EXPECT_EQ(static_cast<const void*>(second.span().data), left);
     EXPECT_NE(static_cast<const void*>(third.span().data), left);
+}
+
+// What wants a little less takes it as well, and all of it; what wants a little more takes its place, so that there are not two.
+TEST(Buffer, TakesALittleMoreThanItNeeds)
+{
+    constexpr int n = 1600000, fewer = 1300000, more = 1700000;     // of a size that no other test leaves
+    const std::size_t none = deviceCounters().bytes;
+    const void* left = nullptr;
+    { Buffer<int> first(n); left = first.span().data; }
+    {
+        Buffer<int> second(fewer);
+        EXPECT_EQ(static_cast<const void*>(second.span().data), left);
+        const std::size_t bytes = deviceCounters().bytes;
+        EXPECT_GE(bytes, none + n * sizeof(int));
+        second.resize(n);
+        EXPECT_EQ(deviceCounters().bytes, bytes);
+    }
+    { Buffer<int> large(more); left = large.span().data; }
+    Buffer<int> third(n), fourth(n);
+    EXPECT_EQ(static_cast<const void*>(third.span().data), left);
+    EXPECT_NE(static_cast<const void*>(fourth.span().data), left);
 }

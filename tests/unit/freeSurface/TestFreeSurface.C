@@ -51,6 +51,28 @@ TEST(FreeSurface, FindsRoomWhenItGrows)
     for (std::uint32_t k = 0; k < count; ++k) ASSERT_EQ(found[k], expected[k]);
 }
 
+// A drop far above its floor has none; where it has come down the search leaves them out, and is made again.
+TEST(FreeSurface, HasMemoryForContactLinesFromTheFirstOneOn)
+{
+    LiquidCase drop({.walls = floorPlane, .wettability = "floor { theta 60; }"});
+    drop.useWalls();
+    drop.surface.require(drop.liquid, 4, 0);
+    drop.place(latticeBall(4, {0, 0, 30}));
+    const int room = drop.surface.view().depth.size;
+    EXPECT_GT(room, 0);
+    EXPECT_EQ(drop.surface.view().contact.size, 1);
+
+    drop.place(latticeBall(4, {0, 0, 4.5f}));
+    EXPECT_FALSE(drop.surface.cutOff());
+    EXPECT_EQ(drop.surface.view().contact.size, room);
+    int atWall = 0;
+    for (const SurfaceState& state : surfaceStates(drop)) atWall += state.contact.wall == 0;
+    EXPECT_GT(atWall, 0);
+    drop.surface.lendPositions();
+    EXPECT_EQ(drop.surface.view().position.size, 0);
+    EXPECT_EQ(drop.surface.view().depth.size, room);
+}
+
 // A lattice below z = 0, its first layer half a spacing below: |G| and depth of each layer against the integrals over the
 // half-space. Sums over 270 points differ from integrals by 3 % of the steepest slope; the depth follows to 0.15 spacings. What
 // is deeper than the density's support, 2 spacings, may be taken for liquid without a surface: the slope there is below 6 %. Diluted liquid has a smaller slope and the same

@@ -8,7 +8,6 @@
 #include "motion/SpeedMeter.H"
 #include "particles/ParticleFiles.H"
 #include "stepping/CaseSetup.H"
-#include "stepping/SubStep.H"
 
 #include <algorithm>
 #include <array>
@@ -84,7 +83,8 @@ CaseForecast forecastCase(const TrialCase& trial, const std::vector<std::string>
     Models& models = *setup.models;
     FunctionObjects functions(time, liquid.properties().spacing, !trial.withoutSolid());
     setup.readParticles(time);
-    measureCrowding(liquid);        // as the solver does: for its time, and the memory that it leaves to others
+    measureCrowding(liquid);        // as the solver does, for its time
+    device::dropKeptMemory();
     Neighbourhood near(liquid);
     setup.relaxOverlap(time, near);
     FlowView flow(time, liquid, near, walls, models);
@@ -94,13 +94,7 @@ CaseForecast forecastCase(const TrialCase& trial, const std::vector<std::string>
     SpeedMeter meter;
     const double speed = meter.measure(liquid).now;
     const auto limits = control.limits(time.deltaT(), speed, liquid, models);
-    if (time.index() == 0)
-    {
-        const SubSteps steps = control.divide(time.deltaT(), speed, liquid, models);
-        Neighbourhood settling(liquid);         // its memory serves the steps
-        settle(liquid, settling, walls, models, liquid.units().toScaled(steps.dt, dimensions::time));
-    }
-    const RunForecast run = forecastRun(time, control, liquid, walls, models, speed, measuredFor);
+    const RunForecast run = forecastRun(time, control, liquid, near, walls, models, speed, measuredFor);
     const double firstStep = std::max(0.0, run.firstSubStep - run.secondsPerSubStep);
     const double functionsTime = secondsOfFunctions(time, functions, flow, run.subStep.dt);
     return

@@ -32,7 +32,8 @@ void reportSteps(SolvedCase& solved, const DeviceInfo& device, Findings& finding
     std::cout << std::endl;
     findings.attempt([&]
     {
-        reportDryRun(*solved.time, control, *solved.liquid, *solved.walls, *solved.models, device, speed);
+        Neighbourhood near(*solved.liquid);
+        reportDryRun(*solved.time, control, *solved.liquid, near, *solved.walls, *solved.models, device, speed);
     });
 }
 

@@ -206,7 +206,7 @@ public:
         if (iterations_ == 0)
         {
             stress_.resizeDiscarding(liquid.all());
-            normals_.resizeDiscarding(alongSurfaces_ ? liquid.all() : 0);
+            normals_.resizeDiscarding(alongSurfaces_ ? surface_.particles().indices.size() + 1 : 0);
             wallNormals_.resizeDiscarding(alongSurfaces_ ? liquid.all() : 0);
             if (alongSurfaces_) raisePressure(liquid, near, walls, stress(liquid), tangential());
             else raisePressure(liquid, near, walls, stress(liquid), NoTangentialGradient{});
@@ -323,7 +323,7 @@ private:
         return {orderRemoved_, dt_ * dt_ / liquid.restDensity(), 0.5f * liquid.spacing(), stress_.span()};
     }
 
-    TangentialGradient tangential() { return {normals_.span(), wallNormals_.span()}; }
+    TangentialGradient tangential() { return {surface_.view(), normals_.span(), wallNormals_.span()}; }
 
     PressureControls controls_;
     scalar ordering_, orderRemoved_;        // o, r
@@ -339,7 +339,7 @@ private:
     std::optional<bool> givenAlongSurfaces_;
     bool alongSurfaces_ = false;            // in this step
     Buffer<Vec3> stress_;                   // of the first iteration
-    Buffer<Vec3> normals_, wallNormals_;    // of surface and walls, with alongSurfaces
+    Buffer<Vec3> normals_, wallNormals_;    // with alongSurfaces: of the particles near the surface, and of all, from walls
     Buffer<Position> push_;                 // shares its memory with the predicted positions to come
     Buffer<Vec3> order_, total_;            // empty: order_ with one contact angle, both where walls hold in all directions
     SteadyIterations steady_;

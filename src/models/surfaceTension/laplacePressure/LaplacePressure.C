@@ -45,12 +45,13 @@ namespace shizuku
 namespace
 {
 
-// What a particle near the surface misses of its neighbourhood: the slope of the density's kernel there.
-struct KernelDeficiency
+// What a particle near the surface misses of its neighbourhood, the slope of the density's kernel there, and its curvature: what its neighbours read.
+struct alignas(16) KernelDeficiency
 {
     scalar planar;                          // g
     scalar disorder;                        // o times what it misses more
     scalar filled;                          // next to a wall the density over that of a planar surface at this depth; 1 elsewhere
+    scalar curvature;
 };
 
 template<class Kernel, class Stress>
@@ -66,6 +67,7 @@ struct MeasureDeficiency
     WallContribution walls;                   // of the density's kernel
     FreeSurfaceView surface;
     HalfSpaceView plane;                    // of the density's kernel
+    Span<const scalar> curvature;
     Span<KernelDeficiency> deficiency;
     Stress stress;                          // of a pressure of one
 
@@ -74,7 +76,7 @@ struct MeasureDeficiency
         const int k = int(surface.place[i]);
         typename Stress::Moments moments;
         const ConstraintSums liquid = constraintSums(W, volume, i, x, near, team, moments);
-        const auto wall = walls(i, x[i], surface.contact[k], team);
+        const auto wall = walls(i, x[i], surface.contactAt(k), team);
         if constexpr (Stress::present) stress.store(i, k, x[i], moments.over(team), 1, surface(i), plane, walls, wall.anyWall, team);
         if (!team.first()) return;
         const Vec3 G = surface.gradient[k];
@@ -83,7 +85,7 @@ struct MeasureDeficiency
         const scalar density = (densityVolume * liquid.W + wall.value) / (1 - gas.density);
         const scalar atWall = fmin(wall.value / plane(0.5f * spacing).density, 1);
         const scalar missing = dot(liquid.gradient + wall.gradient, G) / fmax(norm(G), 1e-20f);
-        deficiency[k] = {planar, ordering * (missing - planar), 1 - atWall * (1 - density)};
+        deficiency[k] = {planar, ordering * (missing - planar), 1 - atWall * (1 - density), curvature[k]};
     }
 };
 
@@ -131,7 +133,6 @@ struct ApplyLaplacePressure
     NeighbourView near;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                        // with w = b
-    Span<const scalar> curvature;
     Span<const KernelDeficiency> deficiency;
     Span<Vec3> gradient;                            // with w = the lowest pressure
     ForceTarget target;
@@ -142,7 +143,7 @@ struct ApplyLaplacePressure
         const Position xi = surface.position[k];
         const Vec3 mi = normal[k];
         if (squared(mi) == 0) return;
-        const scalar own = curvature[k];
+        const scalar own = deficiency[k].curvature;
         const bool first = team.first();
         scalar weight = first ? W.W(0) * mi.w : 0, kappas = weight * own;
         scalar planar = first ? W.W(0) * deficiency[k].planar : 0, disorder = first ? W.W(0) * deficiency[k].disorder : 0;
@@ -150,12 +151,13 @@ struct ApplyLaplacePressure
         forEachOnSurface(i, mi, near, surface, normal, [&](int l, Vec3 other)
         {
             const scalar w = W.W(norm(surface.position[l] - xi));
+            const KernelDeficiency there = deficiency[l];
             weight += w * other.w;
-            kappas += w * other.w * curvature[l];
-            planar += w * deficiency[l].planar;
-            disorder += w * deficiency[l].disorder;
+            kappas += w * other.w * there.curvature;
+            planar += w * there.planar;
+            disorder += w * there.disorder;
             all += w;
-            filled += w * deficiency[l].filled;
+            filled += w * there.filled;
         }, team);
         weight = team.sum(weight);
         kappas = team.sum(kappas);
@@ -201,12 +203,12 @@ private:
         if (!extended_) extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
         const FreeSurfaceView view = surface_.view();
         Buffer<KernelDeficiency> deficiency(surface_.particles().indices.size());
-        if (surface_.agreed().orderRemoved == 0) measure(liquid, near, walls, NoOrderStress{}, deficiency);
+        if (surface_.agreed().orderRemoved == 0) measure(liquid, near, walls, field, NoOrderStress{}, deficiency);
         else
         {
             Buffer<Vec3> kept(surface_.particles().indices.size());
             const OrderStress stress{surface_.agreed().orderRemoved, 1, 0.5f * liquid.spacing(), kept.span()};
-            measure(liquid, near, walls, stress, deficiency);
+            measure(liquid, near, walls, field, stress, deficiency);
             liquid.ghosts().copy({valuesOf(surface_.particles(), kept)}, GhostsOf::lists);
             std::visit
             (
@@ -220,18 +222,19 @@ private:
                 liquid.kernel()
             );
         }
-        liquid.ghosts().copy({valuesOf(surface_.particles(), field.curvature), valuesOf(surface_.particles(), deficiency)}, GhostsOf::lists);
+        liquid.ghosts().copy({valuesOf(surface_.particles(), deficiency)}, GhostsOf::lists);
         forEachTeam(surface_.particles(), ApplyLaplacePressure
         {
-            surface_.kernel(), sigma_, liquid.restDensity(), followed(), near.view(), view, field.normal.span(), field.curvature.span(),
-            deficiency.span(), surface_.gradient(), target
+            surface_.kernel(), sigma_, liquid.restDensity(), followed(), near.view(), view, field.normal.span(), deficiency.span(),
+            surface_.gradient(), target
         });
     }
 
     template<class Stress>
     void measure
     (
-        const Liquid& liquid, const Neighbourhood& near, const Walls& walls, const Stress& stress, Buffer<KernelDeficiency>& deficiency
+        const Liquid& liquid, const Neighbourhood& near, const Walls& walls, const CurvatureField& field, const Stress& stress,
+        Buffer<KernelDeficiency>& deficiency
     )
     {
         std::visit
@@ -242,7 +245,7 @@ private:
                 {
                     W, liquid.particleVolume(), liquid.particleVolume() / liquid.latticeSum(), liquid.spacing(), surface_.agreed().ordering,
                     liquid.predicted.span(), near.view(), {extended_->view(), W.h, walls.view(liquid)}, surface_.view(),
-                    {plane_.span(), W.h}, deficiency.span(), stress
+                    {plane_.span(), W.h}, field.curvature.span(), deficiency.span(), stress
                 });
             },
             liquid.kernel()

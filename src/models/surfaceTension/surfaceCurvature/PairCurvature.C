@@ -88,7 +88,7 @@ private:
         const Position xi = near.points[k];
         const Vec3 mi = normal[k];
         const scalar own = surface.depthOf(k);
-        const ContactLine line = surface.contact[k];
+        const ContactLine line = surface.contactAt(k);
         walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
         {
             if (a != line.wall) return;

@@ -148,7 +148,7 @@ private:
         const Vec3 mi = normal[k];
         const TangentPlane plane(mi);
         sums.add(volume * mi.w * W.W(0), plane, Vec3{}, mi, surface.depthOf(k));
-        const ContactLine line = surface.contact[k];
+        const ContactLine line = surface.contactAt(k);
         walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
         {
             if (a != line.wall) return;

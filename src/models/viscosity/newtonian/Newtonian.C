@@ -279,9 +279,18 @@ public:
             },
             liquid.kernel()
         );
+        giveMemoryToOthers();
     }
 
 private:
+    // Until the next step: the pressure wants as much.
+    void giveMemoryToOthers()
+    {
+        inverse_ = {};
+        stressed_ = {};
+        for (Buffer<Vec3>* vector : {&residual_, &product_, &direction_, &ofDirection_, &dragDiagonal_, &dragOther_}) *vector = {};
+    }
+
     // What the layers at walls lack, m.
     static Buffer<scalar>* missingField(bool wanted, Liquid& liquid)
     {
