@@ -230,6 +230,8 @@ TEST_P(Parallel, RefusesWhatItCannotDoOnceAndLeavesTheCase)
     write("system/solution", "spacing 1e-3;\n");
     write("constant/models", "pressure WCSPH;\nsurfaceTension none;\nwetting none;\nviscosity XSPH;\nbodyForce none;\n");
     refused({"The liquid cannot be cut into parts with pressure WCSPH"});
+    write("constant/models", "pressure completedPbf;\nsurfaceTension Fujisawa2014;\nwetting none;\nviscosity XSPH;\nbodyForce none;\nforceCoupling everyIteration;\n");
+    refused({"The liquid cannot be cut into parts with forceCoupling everyIteration"});
 }
 
 // Of a block of 294 particles: each rank has some, and what it needs.
