@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/paths/Existence.H"
 #include "study/RunCost.H"
 
 #include "core/time/PostProcessing.H"
@@ -56,7 +57,7 @@ RunCost runCost(const std::filesystem::path& casePath, const std::string& functi
     RunCost cost{unknown, unknown, unknown, unknown, unknown};
     readLog(solverLog(casePath), cost);
     cost.particleSteps = cost.particles/cost.subStep;
-    if (!std::filesystem::is_directory(casePath/"postProcessing"/functionObject)) return cost;
+    if (!isFolder(casePath/"postProcessing"/functionObject)) return cost;
 
     const CsvTable steps = readTable(casePath, functionObject, "stepTime.csv");
     double wall = 0;
