@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/ThinSolid.H"
 
+#include "core/angles/Degrees.H"
 #include "meshes/ConnectedPoints.H"
 #include "meshes/PointGrid.H"
 
 #include <algorithm>
+#include <cmath>
 
 namespace shizuku
 {
@@ -78,17 +80,23 @@ std::optional<Tip> tipOf(const SurfaceGeometry& surface, const std::vector<Backe
 
 }
 
-std::optional<ThinPlace> findThinPlace(const PatchedSurface& surface, double spacing)
+NarrowPlaces findNarrowPlaces(const PatchedSurface& surface, double spacing)
 {
     constexpr double opposite = -0.867;         // cosine of 150 degrees: edges below 30 degrees are thin too, and throw liquid
     constexpr double enough = 1 - 1e-3;         // of the least thickness: two spacings that were rounded are two
-    std::optional<ThinPlace> thinnest;
+    NarrowPlaces found;
     forEachBackedPlace(SurfaceGeometry(surface), SurfaceDistance(surface.mesh), spacing, enough*leastThickness*spacing, [&](const BackedPlace& at)
     {
-        if (dot(at.normal, at.normalBehind) > opposite) return;
-        if (!thinnest || at.thickness < thinnest->thickness) thinnest = ThinPlace{at.place.position, at.thickness};
+        const double cosine = dot(at.normal, at.normalBehind);
+        if (cosine <= opposite)
+        {
+            if (!found.thin || at.thickness < found.thin->thickness) found.thin = ThinPlace{at.place.position, at.thickness};
+            return;
+        }
+        const double angle = degrees(std::acos(-cosine));
+        if (angle < (found.sharp ? found.sharp->angle : sharpest)) found.sharp = SharpPlace{at.place.position, angle};
     });
-    return thinnest;
+    return found;
 }
 
 std::vector<Tip> findTips(const SurfaceGeometry& surface, const SurfaceDistance& distance, double spacing)

@@ -11,7 +11,7 @@ WatchedFile::WatchedFile(std::filesystem::path file) : path_(std::move(file)), l
 bool WatchedFile::changed()
 {
     const Stamp now = stamp();
-    if (now == Stamp{} || now == last_) return false;
+    if (now == Stamp{} || now == last_ || now[size] == 0) return false;
     last_ = now;
     return true;
 }

@@ -70,3 +70,17 @@ TEST(TimeChanges, LeavesAChangedControlDictAloneUnlessModifiable)
     EXPECT_FALSE(time.readIfModified());
     EXPECT_EQ(time.endTime(), 1);
 }
+
+// As an editor leaves it between opening the file and writing to it.
+TEST(TimeChanges, AnEmptiedControlDictIsOneThatIsBeingWritten)
+{
+    const TimedCase folder("runTimeModifiable yes; " + tenSteps);
+    Time time(folder.path());
+    folder.control("");
+    testing::internal::CaptureStderr();
+    EXPECT_FALSE(time.readIfModified());
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    folder.control("runTimeModifiable yes; endTime 2; deltaT 0.1; writeInterval 5;");
+    EXPECT_TRUE(time.readIfModified());
+    EXPECT_EQ(time.endTime(), 2);
+}

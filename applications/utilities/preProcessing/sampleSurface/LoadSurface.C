@@ -9,6 +9,7 @@
 #include "sampling/ThinSolid.H"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <sstream>
 
@@ -41,16 +42,26 @@ std::string advice(const SampledWall& wall)
     throw FatalInputError(wall.where, sizeText(wall, size, reason, spacing), advice(wall));
 }
 
-void refuseThin(const SampledWall& wall, const PatchedSurface& surface, double spacing)
+// Refused where it is too thin, warned of where it is sharp.
+void lookForNarrowPlaces(const SampledWall& wall, const PatchedSurface& surface, double spacing)
 {
-    const auto thin = findThinPlace(surface, spacing);
-    if (!thin) return;
+    const NarrowPlaces narrow = findNarrowPlaces(surface, spacing);
     std::ostringstream found, expected;
-    found << "The solid of wall '" << wall.name << "' is " << thin->thickness << " m thin at " << str(thin->position) << " m, "
-          << thin->thickness/spacing << " spacings: liquid on either side of it feels the particles of both";
-    expected << "at least " << leastThickness << " spacings, " << leastThickness*spacing << " m, or a spacing up to "
-             << thin->thickness/leastThickness << " m in system/solution; or a sheet, an open surface that is wetted from one side";
-    throw FatalInputError(wall.where, found.str(), expected.str());
+    if (const auto& thin = narrow.thin)
+    {
+        found << "The solid of wall '" << wall.name << "' is " << thin->thickness << " m thin at " << str(thin->position) << " m, "
+              << thin->thickness/spacing << " spacings: liquid on either side of it feels the particles of both";
+        expected << "at least " << leastThickness << " spacings, " << leastThickness*spacing << " m, or a spacing up to "
+                 << thin->thickness/leastThickness << " m in system/solution; or a sheet, an open surface that is wetted from one side";
+        throw FatalInputError(wall.where, found.str(), expected.str());
+    }
+    if (const auto& sharp = narrow.sharp)
+    {
+        found << "The sides of wall '" << wall.name << "' meet at " << std::round(sharp->angle) << " degrees near " << str(sharp->position)
+              << " m: liquid that meets so sharp an edge or tip loses single particles, the faster the shorter the steps are\n"
+              << "Expected: at least " << sharpest << " degrees, or a round edge; else a deltaT as long as what is written asks for, which the solver divides by itself";
+        warning(found.str(), wall.where);
+    }
 }
 
 // Which side the liquid is on, for those whose file has it wrong.
@@ -101,7 +112,7 @@ RepairedSurface loadSurface(const SampledWall& wall, double spacing)
     leaveOutSlivers(repaired.surface, spacing, wall.file.string(), repaired.report);
     for (const std::string& line : repaired.report) std::cout << wall.name << ": " << line << "\n";
     std::cout << wall.name << ": " << description(repaired) << "\n";
-    refuseThin(wall, repaired.surface, spacing);
+    lookForNarrowPlaces(wall, repaired.surface, spacing);
     return repaired;
 }
 
