@@ -39,6 +39,7 @@ list(APPEND SHIZUKU_HOST_FLAGS -Wno-psabi)          # eight numbers at once wher
 set(SHIZUKU_TEST_FLAGS ${SHIZUKU_HOST_FLAGS} -O1 -Wno-subobject-linkage)        # short runs: quick to compile counts. What tests are warned of is no error; several are compiled as one
 if(SHIZUKU_WERROR)
     list(APPEND SHIZUKU_HOST_FLAGS -Werror -Wno-error=invalid-pch -Wno-error=restrict -Wno-error=stringop-overflow -Wno-error=array-bounds)        # g++ 12 is wrong about strings (its bug 105651)
+    list(APPEND SHIZUKU_HOST_FLAGS -Wno-error=uninitialized -Wno-error=maybe-uninitialized)        # and about its own intrinsics of AVX-512 (its bug 105593)
 endif()
 set(SHIZUKU_KERNEL_OPTIMISATION -O3)        # of the CPU's backends
 if(SHIZUKU_SANITIZE)
