@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/paths/Existence.H"
 #include "study/RunCost.H"
 
+#include "core/paths/Existence.H"
 #include "core/time/PostProcessing.H"
 #include "study/SolverLog.H"
 

@@ -11,7 +11,7 @@ WatchedFile::WatchedFile(std::filesystem::path file) : path_(std::move(file)), l
 bool WatchedFile::changed()
 {
     const Stamp now = stamp();
-    if (now == Stamp{} || now == last_ || now[size] == 0) return false;
+    if (now == Stamp{} || now == last_) return false;
     last_ = now;
     return true;
 }
@@ -19,7 +19,7 @@ bool WatchedFile::changed()
 WatchedFile::Stamp WatchedFile::stamp() const
 {
     struct stat status;
-    if (::stat(path_.c_str(), &status) != 0) return {};
+    if (::stat(path_.c_str(), &status) != 0 || status.st_size == 0) return {};
     return {long(status.st_mtim.tv_sec), long(status.st_mtim.tv_nsec), long(status.st_size), long(status.st_ino)};
 }
 
