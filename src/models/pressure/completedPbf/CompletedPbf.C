@@ -40,9 +40,9 @@
 
 #include "device/Holds.H"
 #include "freeSurface/FreeSurface.H"
+#include "models/density/OrderStress.H"
 #include "models/pressure/Pressure.H"
 #include "models/pressure/completedPbf/CoarseCorrection.H"
-#include "models/pressure/completedPbf/OrderStress.H"
 #include "models/pressure/completedPbf/TangentialGradient.H"
 #include "models/pressure/shared/PressureControls.H"
 #include "models/pressure/shared/PressureField.H"
@@ -86,7 +86,7 @@ struct RaisePressure
         const SurfaceState own = surface(i);
         if constexpr (Stress::present)
         {
-            stress.store(i, x[i], moments.over(team), pressure[i], own, plane, walls, wall.anyWall, team);
+            stress.store(i, i, x[i], moments.over(team), pressure[i], own, plane, walls, wall.anyWall, team);
         }
         if (!team.first()) return;
         const HalfSpaceValues gas = plane(own.depth);
@@ -173,6 +173,7 @@ public:
         if (controls.lookupOr("coarseGrid", false)) coarse_.emplace(liquid);
         if (controls.found("alongSurfaces")) givenAlongSurfaces_ = controls.lookup<bool>("alongSurfaces");
         surface.agreed().ordering = ordering_;
+        surface.agreed().orderRemoved = orderRemoved_;
         surface.requireUsual(liquid);
     }
 

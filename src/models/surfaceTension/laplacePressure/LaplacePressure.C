@@ -3,8 +3,10 @@
 // transmits as the density's kernel would.
 //
 //     a_i     = sigma/rho0 2 kappa g_i R_i G_i/|G_i|,       g_i = |Psi'(s_i)|
-//     R_i     = 1 + sign(kappa) o sum_j W_ij (D_j.G_j/|G_j| - g_j) / sum_j W_ij g_j,        from 0.7 to 1.3
+//     R_i     = 1 + sign(kappa) sum_j v_ij [o (D_j.G_j/|G_j| - g_j) - S_j.G_j/|G_j|] / sum_j v_ij g_j,        from 0.7 to 1.3
+//     v_ij    = W_ij (1 - |s_i - s_j|/(8 d))
 //     D_j     = sum_l V grad W^rho_jl + grad w              of the density's kernel W^rho, w: the wall's wedge
+//     S_j     = 1/2 sum_l V (sigma_j + sigma_l) grad W^rho_jl,     sigma: what a pressure of one takes out of an order's stress
 //     kappa   : surfaceCurvature/RegressedCurvature.H, steadied where the surface is hollow by the mean over j
 //
 // Psi: the integral of the density's kernel beyond a plane at depth s_i (freeSurface/FreeSurface.H); j: neighbours near the surface.
@@ -14,7 +16,9 @@
 // layer, so that no table of what a force's layers add up to is needed, and a pressure that changes along the surface is that of
 // hydrostatics in all layers alike. Particles at rest do not lie as a plane: R is by how much they miss more, as a mean of those around, because
 // the force of single particles would leave alone those that stand out of the surface, and liquid would evaporate. o: how much more than
-// the sum alone the pressure's model makes of that difference (SurfaceAgreement).
+// the sum alone the pressure's model makes of that difference (SurfaceAgreement). What it takes out again of the stress that an order bears
+// (density/OrderStress.H) it makes nothing of: with that in R the surface of a drop that swings far would be pulled the more the more its particles are
+// sheared, and drive it. Particles deep inside, which are not looked at, count with the stress of who sees them.
 //
 // The rim of a film on a wall that wets wholly is hollow, and pulled outwards. Liquid behind it that is stretched does not follow, so that
 // particles of the rim would leave one by one: the pull ends where the liquid at the wall is diluted, from 5 % on, wholly at 20 %.
@@ -31,7 +35,7 @@
 //     laplacePressureCoeffs { support 3.25; }         // of the normals and the curvature, in spacings; at least 1.5 of the kernel's
 
 #include "device/Holds.H"
-#include "models/density/ConstraintSums.H"
+#include "models/density/OrderStress.H"
 #include "models/surfaceTension/surfaceCurvature/CurvatureTension.H"
 #include "models/surfaceTension/surfaceCurvature/RegressedCurvature.H"
 #include "walls/HalfSpace.H"
@@ -51,7 +55,7 @@ struct alignas(16) KernelDeficiency
     scalar curvature;
 };
 
-template<class Kernel>
+template<class Kernel, class Stress>
 struct MeasureDeficiency
 {
     static constexpr Holds holds = Holds::more;
@@ -66,12 +70,15 @@ struct MeasureDeficiency
     HalfSpaceView plane;                    // of the density's kernel
     Span<const scalar> curvature;
     Span<KernelDeficiency> deficiency;
+    Stress stress;                          // of a pressure of one
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const int k = int(surface.place[i]);
-        const ConstraintSums liquid = constraintSums(W, volume, i, x, near, team);
+        typename Stress::Moments moments;
+        const ConstraintSums liquid = constraintSums(W, volume, i, x, near, team, moments);
         const auto wall = walls(i, x[i], surface.contactAt(k), team);
+        if constexpr (Stress::present) stress.store(i, k, x[i], moments.over(team), 1, surface(i), plane, walls, wall.anyWall, team);
         if (!team.first()) return;
         const Vec3 G = surface.gradient[k];
         const HalfSpaceValues gas = plane(surface.depthOf(k));
@@ -83,14 +90,53 @@ struct MeasureDeficiency
     }
 };
 
+// Takes out of the disorder what the pressure takes out of the order's stress.
+template<class Kernel>
+struct RemoveOrderStress
+{
+    static constexpr Holds holds = Holds::more;
+
+    Kernel W;
+    scalar volume;
+    Span<const Position> x;
+    NeighbourView near;
+    FreeSurfaceView surface;
+    OrderStress stress;
+    Span<KernelDeficiency> deficiency;
+
+    HOST_DEVICE void operator()(int i, Team team) const
+    {
+        const int k = int(surface.place[i]);
+        const Position xi = x[i];
+        const auto own = stress[k];
+        Vec3 sum;
+        near.forEach(i, [&](int j)
+        {
+            const Vec3 r = xi - x[j];
+            const scalar slope = W.g(norm(r));
+            if (slope != 0) sum += (own + (surface.isInside(j) ? own : stress[int(surface.place[j])])) * (slope * r);
+        }, team);
+        sum = team.sum(sum);
+        if (!team.first()) return;
+        const Vec3 G = surface.gradient[k];
+        deficiency[k].disorder -= 0.5f * volume * dot(sum, G) / fmax(norm(G), 1e-20f);
+    }
+};
+
 struct ApplyLaplacePressure
 {
     static constexpr scalar farthest = 0.3f;        // R from 1
     // Of a film at a wall, the density over a planar surface's below which it pulls nothing on, and from which it does wholly.
     static constexpr scalar torn = 0.8f, whole = 0.95f;
+    // Depths by which particles differ count for R until nothing is left of them at this, in spacings.
+    static constexpr scalar unlike = 8;
+    // Pressures of single particles tremble: bounded at the gas's they would be above it on the mean wherever the liquid is hardly pressed, and a wave
+    // would be driven. So they may fall below what the surface bears, by this of sigma/d.
+    static constexpr scalar trembling = 0.05f;
 
     WendlandC2 W;
-    scalar sigma, restDensity, followed;            // followed: share of what single curvatures differ by from their mean
+    scalar sigma, spacing, restDensity;
+    scalar followed;                                // share of what single curvatures differ by from their mean
     NeighbourView near;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                        // with w = b
@@ -105,6 +151,7 @@ struct ApplyLaplacePressure
         const Vec3 mi = normal[k];
         if (squared(mi) == 0) return;
         const scalar own = deficiency[k].curvature;
+        const scalar depth = surface.depthOf(k);
         const bool first = team.first();
         scalar weight = first ? W.W(0) * mi.w : 0, kappas = weight * own;
         scalar planar = first ? W.W(0) * deficiency[k].planar : 0, disorder = first ? W.W(0) * deficiency[k].disorder : 0;
@@ -115,8 +162,9 @@ struct ApplyLaplacePressure
             const KernelDeficiency there = deficiency[l];
             weight += w * other.w;
             kappas += w * other.w * there.curvature;
-            planar += w * there.planar;
-            disorder += w * there.disorder;
+            const scalar alike = w * (1 - fabs(surface.depthOf(l) - depth) / (unlike * spacing));
+            planar += alike * there.planar;
+            disorder += alike * there.disorder;
             all += w;
             filled += w * there.filled;
         }, team);
@@ -131,7 +179,7 @@ struct ApplyLaplacePressure
         scalar jump = sigma * steadied(mean + followed * (own - mean), mean);
         if (jump < 0) jump *= fmin(fmax((filled / all - torn) / (whole - torn), 0), 1);
         const Vec3 G = gradient[k];
-        gradient[k].w = lowestBehind(jump, G.w);
+        gradient[k].w = lowestBehind(jump, G.w) - trembling * sigma / spacing;
         const scalar more = fmin(fmax(disorder / fmax(planar, 1e-20f), -farthest), farthest);
         const scalar share = deficiency[k].planar * (jump < 0 ? 1 - more : 1 + more);
         target.add(i, 2 * jump * share / (restDensity * norm(G)) * G);
@@ -164,25 +212,53 @@ private:
         if (!extended_) extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
         const FreeSurfaceView view = surface_.view();
         Buffer<KernelDeficiency> deficiency(surface_.particles().indices.size());
+        if (surface_.agreed().orderRemoved == 0) measure(liquid, near, walls, field, NoOrderStress{}, deficiency);
+        else
+        {
+            Buffer<Vec3> kept(surface_.particles().indices.size());
+            const OrderStress stress{surface_.agreed().orderRemoved, 1, 0.5f * liquid.spacing(), kept.span()};
+            measure(liquid, near, walls, field, stress, deficiency);
+            liquid.ghosts().copy({valuesOf(surface_.particles(), kept)}, GhostsOf::lists);
+            std::visit
+            (
+                [&]<class Kernel>(const Kernel& W)
+                {
+                    forEachTeam(surface_.particles(), RemoveOrderStress<Kernel>
+                    {
+                        W, liquid.particleVolume(), liquid.predicted.span(), near.view(), view, stress, deficiency.span()
+                    });
+                },
+                liquid.kernel()
+            );
+        }
+        liquid.ghosts().copy({valuesOf(surface_.particles(), deficiency)}, GhostsOf::lists);
+        forEachTeam(surface_.particles(), ApplyLaplacePressure
+        {
+            surface_.kernel(), sigma_, liquid.spacing(), liquid.restDensity(), followed(), near.view(), view, field.normal.span(), deficiency.span(),
+            surface_.gradient(), target
+        });
+    }
+
+    template<class Stress>
+    void measure
+    (
+        const Liquid& liquid, const Neighbourhood& near, const Walls& walls, const CurvatureField& field, const Stress& stress,
+        Buffer<KernelDeficiency>& deficiency
+    )
+    {
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                forEachTeam(surface_.particles(), MeasureDeficiency<Kernel>
+                forEachTeam(surface_.particles(), MeasureDeficiency<Kernel, Stress>
                 {
                     W, liquid.particleVolume(), liquid.particleVolume() / liquid.latticeSum(), liquid.spacing(), surface_.agreed().ordering,
-                    liquid.predicted.span(), near.view(),
-                    {extended_->view(), W.h, walls.view(liquid)}, view, {plane_.span(), W.h}, field.curvature.span(), deficiency.span()
+                    liquid.predicted.span(), near.view(), {extended_->view(), W.h, walls.view(liquid)}, surface_.view(),
+                    {plane_.span(), W.h}, field.curvature.span(), deficiency.span(), stress
                 });
             },
             liquid.kernel()
         );
-        liquid.ghosts().copy({valuesOf(surface_.particles(), deficiency)}, GhostsOf::lists);
-        forEachTeam(surface_.particles(), ApplyLaplacePressure
-        {
-            surface_.kernel(), sigma_, liquid.restDensity(), followed(), near.view(), view, field.normal.span(), deficiency.span(),
-            surface_.gradient(), target
-        });
     }
 
     Buffer<HalfSpaceValues> plane_;

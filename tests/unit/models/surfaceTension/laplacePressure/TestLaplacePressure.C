@@ -73,6 +73,39 @@ TEST(LaplacePressure, BalancesTheSamePressureInAllParticlesOfABall)
     }
 }
 
+// A ball that is cut out of a lattice of as many particles a volume, drawn out along x: what its order bears there is not what it bears across, and a
+// pressure that takes the order's stress out again makes nothing of it.
+TEST(LaplacePressure, FollowsNoStressThatThePressureTakesOut)
+{
+    constexpr scalar drawn = 1.1f, across = 0.953463f;       // 1/sqrt(1.1)
+    std::vector<Vec3> points;
+    for (const Vec3& x : latticeBall(13.0f))
+    {
+        const Vec3 place{drawn * x.x, across * x.y, across * x.z};
+        if (norm(place) < 10.5f) points.push_back(place);
+    }
+    double share[2];                                         // of the force at the ends over that at the waist, for each particle's part of the surface
+    for (const int removed : {0, 1})
+    {
+        LiquidCase drop;
+        const auto tension = makeLaplacePressure(drop);
+        drop.surface.agreed().ordering = 1.2f;
+        drop.surface.agreed().orderRemoved = scalar(removed);
+        const auto force = tensionOf(drop, *tension, points);
+        double ends = 0, waist = 0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            const double r = norm(points[i]), cosine = std::abs(points[i].x) / r, inward = -dot(force[i], points[i]) / r;
+            if (cosine > 0.8) ends += inward / 0.2;
+            else if (cosine < 0.5) waist += inward / 0.5;
+        }
+        share[removed] = ends / waist;
+    }
+    EXPECT_LT(share[0], 0.9);                                // 0.896: layers that lie farther apart along x miss less there
+    EXPECT_GT(share[1], share[0] + 0.01);                    // 0.910; the outermost layer, of which nothing is taken out, keeps its part
+    EXPECT_LT(share[1], 1);
+}
+
 // Farther than two supports from the edges of a block, whose own force shows that the model acts. The normals differ by
 // their roundings, 1e-7.
 TEST(LaplacePressure, LeavesAPlaneAlone)

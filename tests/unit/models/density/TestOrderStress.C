@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/ForEach.H"
-#include "models/pressure/completedPbf/OrderStress.H"
+#include "models/density/OrderStress.H"
 #include "support/PressureReference.H"
 #include "support/ReferenceKernels.H"
 #include "support/SurfaceStates.H"
@@ -111,7 +111,7 @@ struct StoreDeviator
         constraintSums(W, volume, i, x, near, team, moments);
         const bool atWall = walls.walls.isNear(i, x[i], W.h, team);
         const auto slopes = moments.over(team);
-        stress.store(i, x[i], slopes, 1, surface(i), plane, walls, atWall, team);
+        stress.store(i, i, x[i], slopes, 1, surface(i), plane, walls, atWall, team);
     }
 };
 
