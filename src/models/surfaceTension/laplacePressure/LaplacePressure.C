@@ -162,7 +162,7 @@ struct ApplyLaplacePressure
             const KernelDeficiency there = deficiency[l];
             weight += w * other.w;
             kappas += w * other.w * there.curvature;
-            const scalar alike = w * (1 - fabs(surface.depthOf(l) - depth) / (unlike * spacing));
+            const scalar alike = w * (1 - fabs(numberOf(surface.position[l].w) - depth) / (unlike * spacing));
             planar += alike * there.planar;
             disorder += alike * there.disorder;
             all += w;
