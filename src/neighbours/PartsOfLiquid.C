@@ -164,13 +164,16 @@ bool PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid, int most)
     const Span<const std::uint32_t> indices{selection_.indices.span().data, count};
     pack(columns, indices, records);
     forEach(count, FindLeaver{grid, indices, x, {reinterpret_cast<Leaver*>(records + ofRecords), count}});
-    const std::vector<RecordLine> lines = taken.download();
-    const auto* const gone = reinterpret_cast<const std::byte*>(lines.data());
+    Bytes gone(ofRecords + ofLeavers);
     std::vector<Leaver> leavers(count);
-    if (count > 0) std::memcpy(leavers.data(), gone + ofRecords, ofLeavers);
+    if (count > 0)
+    {
+        device::copyToHost(gone.data(), records, gone.size());
+        std::memcpy(leavers.data(), gone.data() + ofRecords, ofLeavers);
+    }
 
     Bytes come;
-    for (const Bytes& from : liquid.parts().exchange(byPart(cut_, gone, record, leavers))) come.insert(come.end(), from.begin(), from.end());
+    for (const Bytes& from : liquid.parts().exchange(byPart(cut_, gone.data(), record, leavers))) come.insert(come.end(), from.begin(), from.end());
     if (come.empty() && count == 0) return false;
     IndexList left;
     for (const Leaver& leaver : leavers) left.push_back(leaver.index);

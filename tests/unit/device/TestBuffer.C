@@ -34,6 +34,7 @@ TEST(Buffer, KeepsItsElementsWhenItGrowsAndShrinks)
 {
     Buffer<int> buffer(counting(100));
     buffer.resize(5000);
+    buffer.setZero(100);
     const std::vector<int> grown = buffer.download();
     ASSERT_EQ(grown.size(), 5000u);
     EXPECT_EQ(std::vector<int>(grown.begin(), grown.begin() + 100), counting(100));

@@ -142,6 +142,7 @@ TEST(ForEach, VisitsEachIndexOnce)
 TEST(ForEach, CountsLaunchesAndMakesNoneOfNothing)
 {
     Buffer<int> buffer(8);
+    buffer.setZero();
     const long before = deviceCounters().launches;
     forEach(0, AddIndex{buffer.span()});
     forEach(-3, AddIndex{buffer.span()});
@@ -200,6 +201,7 @@ TEST(ForEachGroup, VisitsEachIndexOnce)
         Buffer<int> visits(n + 1);
         Buffer<scalar> sums(n + 1), least(n + 1), at(n + 1);
         visits.setZero();
+        for (Buffer<scalar>* each : {&sums, &least, &at}) each->setZero(n);
         forEachGroup(n, TakeTogether{visits.span(), sums.span(), least.span(), at.span()});
         const auto visited = visits.download();
         const auto sum = sums.download(), nearest = least.download(), where = at.download();

@@ -4,7 +4,7 @@
 //
 //     a_i     = sigma/rho0 2 kappa g_i R_i G_i/|G_i|,       g_i = |Psi'(s_i)|
 //     R_i     = 1 + sign(kappa) sum_j v_ij [o (D_j.G_j/|G_j| - g_j) - S_j.G_j/|G_j|] / sum_j v_ij g_j,        from 0.7 to 1.3
-//     v_ij    = W_ij (1 - |s_i - s_j|/(8 d))
+//     v_ij    = W_ij (1 - |s_i - s_j|/(12 d))
 //     D_j     = sum_l V grad W^rho_jl + grad w              of the density's kernel W^rho, w: the wall's wedge
 //     S_j     = 1/2 sum_l V (sigma_j + sigma_l) grad W^rho_jl,     sigma: what a pressure of one takes out of an order's stress
 //     kappa   : surfaceCurvature/RegressedCurvature.H, steadied where the surface is hollow by the mean over j
@@ -129,10 +129,7 @@ struct ApplyLaplacePressure
     // Of a film at a wall, the density over a planar surface's below which it pulls nothing on, and from which it does wholly.
     static constexpr scalar torn = 0.8f, whole = 0.95f;
     // Depths by which particles differ count for R until nothing is left of them at this, in spacings.
-    static constexpr scalar unlike = 8;
-    // Pressures of single particles tremble: bounded at the gas's they would be above it on the mean wherever the liquid is hardly pressed, and a wave
-    // would be driven. So they may fall below what the surface bears, by this of sigma/d.
-    static constexpr scalar trembling = 0.05f;
+    static constexpr scalar unlike = 12;
 
     WendlandC2 W;
     scalar sigma, spacing, restDensity;
@@ -179,7 +176,7 @@ struct ApplyLaplacePressure
         scalar jump = sigma * steadied(mean + followed * (own - mean), mean);
         if (jump < 0) jump *= fmin(fmax((filled / all - torn) / (whole - torn), 0), 1);
         const Vec3 G = gradient[k];
-        gradient[k].w = lowestBehind(jump, G.w) - trembling * sigma / spacing;
+        gradient[k].w = lowestBehind(jump, G.w);
         const scalar more = fmin(fmax(disorder / fmax(planar, 1e-20f), -farthest), farthest);
         const scalar share = deficiency[k].planar * (jump < 0 ? 1 - more : 1 + more);
         target.add(i, 2 * jump * share / (restDensity * norm(G)) * G);

@@ -110,7 +110,7 @@ struct Regress
     Span<const std::uint32_t> selected;
     ExtendedLiquidView extended;
     WallView walls;
-    Span<scalar> curvature;                 // meaningless away from the surface
+    Span<scalar> curvature;                 // zero away from the surface
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
@@ -137,6 +137,7 @@ struct Regress
             all.of[n] = team.sums(parts);
         }
         if (group.has(team.lane)) finish(places.first + team.lane, all);
+        else if (team.lane < places.size) curvature[places.first + team.lane] = 0;
     }
 
 private:
