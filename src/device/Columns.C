@@ -38,9 +38,9 @@ struct SomeColumns
     int count = 0;
     std::size_t record;
 
-    // copy(column, in the array, in the record) of those that index i has.
-    template<class Copy>
-    HOST_DEVICE void forEach(int i, int k, Copy copy) const
+    // copy(column, in the array, in the record) of those that index i has, lack(column, in the record) of the others.
+    template<class Copy, class Lack>
+    HOST_DEVICE void forEach(int i, int k, Copy copy, Lack lack) const
     {
         #pragma unroll
         for (int c = 0; c < most; ++c)
@@ -51,7 +51,11 @@ struct SomeColumns
             if (column.before)
             {
                 place = column.before[i];
-                if (column.before[i + 1] == place) continue;
+                if (column.before[i + 1] == place)
+                {
+                    lack(column, k * record + column.offset);
+                    continue;
+                }
             }
             copy(column, column.values + place * column.stride, k * record + column.offset);
         }
@@ -77,6 +81,10 @@ struct PackRecords
         columns.forEach(int(indices[k]), k, [&](const auto& column, const std::byte* value, std::size_t at)
         {
             SomeColumns::copy(column, records + at, value);
+        },
+        [&](const auto& column, std::size_t at)
+        {
+            for (unsigned b = 0; b < column.bytes; ++b) records[at + b] = {};      // records travel whole
         });
     }
 };
@@ -92,7 +100,8 @@ struct UnpackRecords
         columns.forEach(int(indices[k]), k, [&](const auto& column, std::byte* value, std::size_t at)
         {
             SomeColumns::copy(column, value, records + at);
-        });
+        },
+        [](const auto&, std::size_t) {});
     }
 };
 

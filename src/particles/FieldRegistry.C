@@ -71,6 +71,7 @@ void FieldRegistry::resize(int n, int room)
     if (n > room_) room_ = std::max(n, room);
     const auto resizeField = [&](auto& field)
     {
+        field.resize(std::min(n, field.size()));        // what is cut off is not copied
         field.reserve(room_);
         field.resize(n);
         field.setZero(before);

@@ -129,7 +129,7 @@ struct Displace
         const Position xi = x[i];
         const scalar own = numberOf(xi.w);
         const Vec3 push = vectorIn(moved[i]);
-        Team::Vector sum;
+        Team::Vector sum, ofStress;
         typename Tangential::Sum along;
         const auto ownStress = stress[i];
         near.forEach(i, xi, x, [&]([[maybe_unused]] auto j, auto r)
@@ -137,14 +137,12 @@ struct Displace
             const auto slope = W.g(norm(r)) * r;
             sum += (r.w + own) * slope;
             along.add(slope, r.w - own);
-            if constexpr (Stress::present) sum -= (stress[j] + ownStress) * slope;
+            if constexpr (Stress::present) ofStress += (stress[j] + ownStress) * slope;
         }, team);
         Vec3 step = volume * team.sum(sum), more;
-        if constexpr (Tangential::present)
-        {
-            more = tangential.more(i, volume * team.sum(along.differences));
-            step += more;
-        }
+        if constexpr (Tangential::present) more = tangential.more(i, volume * team.sum(along.differences));
+        if constexpr (Stress::present) more -= volume * team.sum(ofStress);         // which is not along r, so that it turns pairs
+        step += more;
         const Position admitted = stop(i, xi - (step + push), team);
         if (!team.first()) return;
         if (total.size > 0) total[i] += (pushIsInternal ? push : order[i]) + more;

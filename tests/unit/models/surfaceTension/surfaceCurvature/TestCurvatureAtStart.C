@@ -29,9 +29,9 @@ public:
         CurvatureField field = curvature_(liquid, near, walls);
         if (brought) atStart_.bring(field, liquid, near, surface, share);
         if (brought && ends) atStart_.endStep();
-        const auto kappa = field.curvature.download();
-        const auto normal = field.normal.download();
         const int found = int(surface.particles().before.download().back());
+        const auto kappa = download(field.curvature, found);
+        const auto normal = download(field.normal, found);
         double sum = 0, shares = 0;
         for (int k = 0; k < found; ++k)
         {

@@ -45,11 +45,11 @@ std::vector<SeenCurvature> curvaturesOf(LiquidCase& drop, const std::vector<Vec3
     RegressedCurvature curvature(coeffs, drop.liquid, drop.surface, 1);
     drop.place(points);
     const CurvatureField field = curvature(drop.liquid, drop.near, drop.walls);
-    const auto kappa = field.curvature.download();
-    const auto normal = field.normal.download();
-    const auto indices = drop.surface.particles().indices.download();
-    const auto id = drop.liquid.id.download();
     const int found = int(drop.surface.particles().before.download().back());
+    const auto kappa = download(field.curvature, found);
+    const auto normal = download(field.normal, found);
+    const auto indices = download(drop.surface.particles().indices, found);
+    const auto id = drop.liquid.id.download();
     std::vector<SeenCurvature> seen;
     for (int k = 0; k < found; ++k)
     {
