@@ -86,7 +86,7 @@ struct RaisePressure
         const SurfaceState own = surface(i);
         if constexpr (Stress::present)
         {
-            stress.store(i, i, x[i], moments.over(team), pressure[i], own, plane, walls, wall.anyWall, team);
+            stress.store(i, x[i], moments.over(team), pressure[i], own, plane, walls, wall.anyWall, team);
         }
         if (!team.first()) return;
         const HalfSpaceValues gas = plane(own.depth);

@@ -6,7 +6,7 @@
 //     R_i     = 1 + sign(kappa) sum_j v_ij [o (D_j.G_j/|G_j| - g_j) - S_j.G_j/|G_j|] / sum_j v_ij g_j,        from 0.7 to 1.3
 //     v_ij    = W_ij (1 - |s_i - s_j|/(12 d))
 //     D_j     = sum_l V grad W^rho_jl + grad w              of the density's kernel W^rho, w: the wall's wedge
-//     S_j     = 1/2 sum_l V (sigma_j + sigma_l) grad W^rho_jl,     sigma: what a pressure of one takes out of an order's stress
+//     S_j     = 1/2 sum_l V (T_j + T_l) grad W^rho_jl,      T = t (n n - 1/3), t = 3/2 n.(r q D) n, n = G/|G|
 //     kappa   : surfaceCurvature/RegressedCurvature.H, steadied where the surface is hollow by the mean over j
 //
 // Psi: the integral of the density's kernel beyond a plane at depth s_i (freeSurface/FreeSurface.H); j: neighbours near the surface.
@@ -18,7 +18,8 @@
 // the force of single particles would leave alone those that stand out of the surface, and liquid would evaporate. o: how much more than
 // the sum alone the pressure's model makes of that difference (SurfaceAgreement). What it takes out again of the stress that an order bears
 // (density/OrderStress.H) it makes nothing of: with that in R the surface of a drop that swings far would be pulled the more the more its particles are
-// sheared, and drive it. Particles deep inside, which are not looked at, count with the stress of who sees them.
+// sheared, and drive it. Layers at a surface have one direction: of what is taken out only its part along the normal is kept, t. Particles deep inside,
+// which are not looked at, count with the t of who sees them.
 //
 // The rim of a film on a wall that wets wholly is hollow, and pulled outwards. Liquid behind it that is stretched does not follow, so that
 // particles of the rim would leave one by one: the pull ends where the liquid at the wall is diluted, from 5 % on, wholly at 20 %.
@@ -70,7 +71,8 @@ struct MeasureDeficiency
     HalfSpaceView plane;                    // of the density's kernel
     Span<const scalar> curvature;
     Span<KernelDeficiency> deficiency;
-    Stress stress;                          // of a pressure of one
+    Stress stress;
+    Span<scalar> taken;                     // t
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
@@ -78,9 +80,13 @@ struct MeasureDeficiency
         typename Stress::Moments moments;
         const ConstraintSums liquid = constraintSums(W, volume, i, x, near, team, moments);
         const auto wall = walls(i, x[i], surface.contactAt(k), team);
-        if constexpr (Stress::present) stress.store(i, k, x[i], moments.over(team), 1, surface(i), plane, walls, wall.anyWall, team);
-        if (!team.first()) return;
         const Vec3 G = surface.gradient[k];
+        if constexpr (Stress::present)
+        {
+            const auto T = stress.ofUnitPressure(i, x[i], moments.over(team), surface(i), plane, walls, wall.anyWall, team);
+            if (team.first()) taken[k] = 1.5f * dot(T * G, G) / fmax(squared(G), 1e-20f);
+        }
+        if (!team.first()) return;
         const HalfSpaceValues gas = plane(surface.depthOf(k));
         const scalar planar = gas.gradient;
         const scalar density = (densityVolume * liquid.W + wall.value) / (1 - gas.density);
@@ -101,25 +107,29 @@ struct RemoveOrderStress
     Span<const Position> x;
     NeighbourView near;
     FreeSurfaceView surface;
-    OrderStress stress;
+    Span<const Vec3> normal;
+    Span<const scalar> taken;               // t
     Span<KernelDeficiency> deficiency;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const int k = int(surface.place[i]);
         const Position xi = x[i];
-        const auto own = stress[k];
-        Vec3 sum;
+        const scalar own = taken[k];
+        const Vec3 G = surface.gradient[k], n = 1 / fmax(norm(G), 1e-20f) * G;
+        scalar sum = 0;
         near.forEach(i, [&](int j)
         {
             const Vec3 r = xi - x[j];
             const scalar slope = W.g(norm(r));
-            if (slope != 0) sum += (own + (surface.isInside(j) ? own : stress[int(surface.place[j])])) * (slope * r);
+            if (slope == 0) return;
+            const scalar along = dot(r, n);
+            const int l = surface.isInside(j) ? k : int(surface.place[j]);
+            const Vec3 m = squared(normal[l]) > 0 && l != k ? normal[l] : n;
+            sum += slope * (own * along + 0.5f * taken[l] * (3 * dot(r, m) * dot(m, n) - along));
         }, team);
         sum = team.sum(sum);
-        if (!team.first()) return;
-        const Vec3 G = surface.gradient[k];
-        deficiency[k].disorder -= 0.5f * volume * dot(sum, G) / fmax(norm(G), 1e-20f);
+        if (team.first()) deficiency[k].disorder -= 1.0f / 3 * volume * sum;
     }
 };
 
@@ -209,20 +219,19 @@ private:
         if (!extended_) extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
         const FreeSurfaceView view = surface_.view();
         Buffer<KernelDeficiency> deficiency(surface_.particles().indices.size());
-        if (surface_.agreed().orderRemoved == 0) measure(liquid, near, walls, field, NoOrderStress{}, deficiency);
+        if (surface_.agreed().orderRemoved == 0) measure(liquid, near, walls, field, NoOrderStress{}, {}, deficiency);
         else
         {
-            Buffer<Vec3> kept(surface_.particles().indices.size());
-            const OrderStress stress{surface_.agreed().orderRemoved, 1, 0.5f * liquid.spacing(), kept.span()};
-            measure(liquid, near, walls, field, stress, deficiency);
-            liquid.ghosts().copy({valuesOf(surface_.particles(), kept)}, GhostsOf::lists);
+            Buffer<scalar> taken(surface_.particles().indices.size());
+            measure(liquid, near, walls, field, OrderStress{surface_.agreed().orderRemoved, 1, 0.5f * liquid.spacing(), {}}, taken.span(), deficiency);
+            liquid.ghosts().copy({valuesOf(surface_.particles(), taken)}, GhostsOf::lists);
             std::visit
             (
                 [&]<class Kernel>(const Kernel& W)
                 {
                     forEachTeam(surface_.particles(), RemoveOrderStress<Kernel>
                     {
-                        W, liquid.particleVolume(), liquid.predicted.span(), near.view(), view, stress, deficiency.span()
+                        W, liquid.particleVolume(), liquid.predicted.span(), near.view(), view, field.normal.span(), taken.span(), deficiency.span()
                     });
                 },
                 liquid.kernel()
@@ -240,7 +249,7 @@ private:
     void measure
     (
         const Liquid& liquid, const Neighbourhood& near, const Walls& walls, const CurvatureField& field, const Stress& stress,
-        Buffer<KernelDeficiency>& deficiency
+        Span<scalar> taken, Buffer<KernelDeficiency>& deficiency
     )
     {
         std::visit
@@ -251,7 +260,7 @@ private:
                 {
                     W, liquid.particleVolume(), liquid.particleVolume() / liquid.latticeSum(), liquid.spacing(), surface_.agreed().ordering,
                     liquid.predicted.span(), near.view(), {extended_->view(), W.h, walls.view(liquid)}, surface_.view(),
-                    {plane_.span(), W.h}, field.curvature.span(), deficiency.span(), stress
+                    {plane_.span(), W.h}, field.curvature.span(), deficiency.span(), stress, taken
                 });
             },
             liquid.kernel()

@@ -111,7 +111,7 @@ struct StoreDeviator
         constraintSums(W, volume, i, x, near, team, moments);
         const bool atWall = walls.walls.isNear(i, x[i], W.h, team);
         const auto slopes = moments.over(team);
-        stress.store(i, i, x[i], slopes, 1, surface(i), plane, walls, atWall, team);
+        stress.store(i, x[i], slopes, 1, surface(i), plane, walls, atWall, team);
     }
 };
 
