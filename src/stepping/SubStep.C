@@ -72,6 +72,7 @@ void SubStep::operator()(scalar dt)
     (
         liquid_, near_, walls_, models_, [&] { models_.bodyForce->predict(liquid_, dt); }, [&] { applyForces(dt); }
     );
+    models_.rigidMotion.begin(liquid_, walls_, dt);
     lendVelocities(liquid_);
     if (!models_.forces.actInIterations()) models_.freeSurface->lendPositions();
     walls_.project(liquid_);

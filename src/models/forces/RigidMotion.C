@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/forces/RigidMotion.H"
 
+#include <utility>
+
 namespace shizuku
 {
 
@@ -32,6 +34,8 @@ struct SumsOfParticle
     Span<const Position> position;
     Span<const Vec3> pressure, forces;                  // either of the displacements may be empty
     scalar ofPressure, ofForces;                        // their scales
+    Span<const Vec3> velocity;                          // empty where there are walls
+    scalar dt;
     WallView walls;
     scalar reach;
 
@@ -41,8 +45,10 @@ struct SumsOfParticle
         const Place at = placeOf(p);
         const Vec3 q = pressure.size > 0 ? ofPressure * pressure[i] : Vec3{}, r = forces.size > 0 ? ofForces * forces[i] : Vec3{};
         const std::int64_t x = arm(at.x), y = arm(at.y), z = arm(at.z);
-        const std::int64_t f = wholeQuanta(r.x, wayBits), g = wholeQuanta(r.y, wayBits), h = wholeQuanta(r.z, wayBits);
-        const std::int64_t u = wholeQuanta(q.x + r.x, wayBits), v = wholeQuanta(q.y + r.y, wayBits), w = wholeQuanta(q.z + r.z, wayBits);
+        const bool isFree = velocity.size > 0;
+        const Vec3 part = isFree ? q + r : r, all = isFree ? dt * velocity[i] : q + r;
+        const std::int64_t f = wholeQuanta(part.x, wayBits), g = wholeQuanta(part.y, wayBits), h = wholeQuanta(part.z, wayBits);
+        const std::int64_t u = wholeQuanta(all.x, wayBits), v = wholeQuanta(all.y, wayBits), w = wholeQuanta(all.z, wayBits);
         return
         {
             {u, v, w}, {f, g, h}, {Int128(x), Int128(y), Int128(z)},
@@ -55,24 +61,32 @@ struct SumsOfParticle
 // What is to be removed.
 struct FindMotion
 {
-    Span<const RigidMotion::Sums> sums;                  // of all parts
+    Span<const RigidMotion::Sums> sums, before;          // of all parts; before: empty where there are walls
     WallConstraints walls, adhesive;                     // adhesive: those that bear other forces than pressure
     Span<RigidMotion::Motion> motion;
 
     HOST_DEVICE void operator()(int) const
     {
-        RigidMotion::Sums all = sums[0];
-        for (int k = 1; k < sums.size; ++k) all.add(sums[k]);
+        const RigidMotion::Sums all = allOf(sums);
         const double n = double(all.particles);
         const bool atWall = all.atWall > 0;
         const WallConstraints any = atWall ? walls : WallConstraints{}, bearing = atWall ? adhesive : WallConstraints{};
         const Vec3 forces = mean(all.forces, n), borne = forces - any.freePart(forces);
         const AboutCentroid about(all);
         const Place origin{about.origin(0), about.origin(1), about.origin(2)};
-        motion[0] = {any.freePart(mean(all.d, n)) + bearing.freePart(borne), turn(about, n, any), about.rest(n), origin};
+        const Vec3 momentum = about.momentum(n) - (before.size > 0 ? AboutCentroid(allOf(before)).momentum(n) : Vec3{});
+        const Vec3 by = before.size > 0 ? forces : any.freePart(mean(all.d, n)) + bearing.freePart(borne);
+        motion[0] = {by, turn(momentum, about, n, any), about.rest(n), origin};
     }
 
 private:
+    HOST_DEVICE static RigidMotion::Sums allOf(Span<const RigidMotion::Sums> parts)
+    {
+        RigidMotion::Sums all = parts[0];
+        for (int k = 1; k < parts.size; ++k) all.add(parts[k]);
+        return all;
+    }
+
     // The sums about a place next to the centroid: exact, as they are, so that what is small is not lost in what is large.
     struct AboutCentroid
     {
@@ -101,6 +115,14 @@ private:
 
         HOST_DEVICE std::int64_t origin(int k) const { return c[k] << (quanta::fractionBits - armBits); }
         HOST_DEVICE Vec3 rest(double n) const { return vec(x[0] / n, x[1] / n, x[2] / n); }
+
+        HOST_DEVICE Vec3 momentum(double n) const
+        {
+            return vec
+            (
+                turn[0] - (x[1] * d[2] - x[2] * d[1]) / n, turn[1] - (x[2] * d[0] - x[0] * d[2]) / n, turn[2] - (x[0] * d[1] - x[1] * d[0]) / n
+            );
+        }
     };
 
     static constexpr double length = 1.0 / (std::int64_t(1) << armBits), way = 1.0 / double(std::int64_t(1) << wayBits);
@@ -110,16 +132,11 @@ private:
         return vec(way * double(of[0]) / n, way * double(of[1]) / n, way * double(of[2]) / n);
     }
 
-    // The turn whose angular momentum is that of the sums, about their centroid. None where the liquid is as thin as a line.
-    HOST_DEVICE static Vec3 turn(const AboutCentroid& all, double n, const WallConstraints& constraints)
+    // The turn about the centroid that has this angular momentum. None where the liquid is as thin as a line.
+    HOST_DEVICE static Vec3 turn(Vec3 ofAll, const AboutCentroid& all, double n, const WallConstraints& constraints)
     {
-        const double *x = all.x, *d = all.d;
-        const Vec3 momentum = constraints.freeRotation(vec
-        (
-            all.turn[0] - (x[1] * d[2] - x[2] * d[1]) / n,
-            all.turn[1] - (x[2] * d[0] - x[0] * d[2]) / n,
-            all.turn[2] - (x[0] * d[1] - x[1] * d[0]) / n
-        ));
+        const double* x = all.x;
+        const Vec3 momentum = constraints.freeRotation(ofAll);
         const double xx = all.xx[0] - x[0] * x[0] / n, yy = all.xx[1] - x[1] * x[1] / n, zz = all.xx[2] - x[2] * x[2] / n;
         const double xy = all.xy[0] - x[0] * x[1] / n, yz = all.xy[1] - x[1] * x[2] / n, zx = all.xy[2] - x[2] * x[0] / n;
         const double trace = xx + yy + zz;
@@ -162,6 +179,36 @@ private:
 
 }
 
+struct RigidMotion::Source
+{
+    Span<const Vec3> pressure, forces;
+    scalar ofPressure, ofForces;
+    Span<const Vec3> velocity;
+    scalar dt, reach;
+};
+
+void RigidMotion::sum(const Liquid& liquid, const Walls& walls, const Source& source, Buffer<Sums>& sums)
+{
+    reduce
+    (
+        liquid.owned(),
+        SumsOfParticle
+        {
+            liquid.position.span(), source.pressure, source.forces, source.ofPressure, source.ofForces, source.velocity, source.dt,
+            walls.view(liquid), source.reach
+        },
+        scratch_, sums
+    );
+    if (liquid.parts().parts() == 1) return;
+    liquid.ghosts().gather(sums, scratch_);
+    sums.swap(scratch_);
+}
+
+void RigidMotion::begin(const Liquid& liquid, const Walls& walls, scalar dt)
+{
+    if (walls.constraints().none()) sum(liquid, walls, {{}, {}, 0, 0, liquid.velocity.span(), dt, 0}, before_);
+}
+
 void RigidMotion::remove
 (
     Liquid& liquid, const InternalDisplacement& pressure, const InternalDisplacement& forces, const Walls& walls,
@@ -169,23 +216,12 @@ void RigidMotion::remove
 )
 {
     if (walls.constraints().all() || pressure.by.size() + forces.by.size() == 0) return;
-    reduce
-    (
-        liquid.owned(),
-        SumsOfParticle
-        {
-            liquid.position.span(), pressure.by.span(), forces.by.span(), pressure.scale, forces.scale, walls.view(liquid), reach
-        },
-        scratch_, sums_
-    );
-    if (liquid.parts().parts() > 1)
-    {
-        liquid.ghosts().gather(sums_, scratch_);
-        sums_.swap(scratch_);
-    }
+    const Span<const Vec3> velocity = before_.size() > 0 ? std::as_const(liquid.velocity).span() : Span<const Vec3>{};
+    sum(liquid, walls, {pressure.by.span(), forces.by.span(), pressure.scale, forces.scale, velocity, dt, reach}, sums_);
     motion_.resizeDiscarding(1);
-    forEach(1, FindMotion{sums_.span(), walls.constraints(), walls.adhesiveConstraints(), motion_.span()});
+    forEach(1, FindMotion{sums_.span(), before_.span(), walls.constraints(), walls.adhesiveConstraints(), motion_.span()});
     forEach(liquid.owned(), RemoveMotion{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});
+    before_ = {};
 }
 
 }
