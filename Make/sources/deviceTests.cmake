@@ -22,6 +22,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C
     models/density/TestDensity.C
+    models/density/TestOrderStress.C
     models/forces/TestRigidMotion.C
     models/particleShifting/closePairs/TestClosePairs.C
     models/pressure/Clavet2005/TestClavet2005.C
@@ -32,7 +33,6 @@ set(SHIZUKU_DEVICE_TESTS
     models/pressure/completedPbf/TestCoarseCorrection.C
     models/pressure/completedPbf/TestCompletedPbf.C
     models/pressure/completedPbf/TestGridPoisson.C
-    models/density/TestOrderStress.C
     models/pressure/completedPbf/TestTangentialGradient.C
     models/pressure/idealGas/TestIdealGas.C
     models/pressure/pbf/TestPbf.C

@@ -73,6 +73,33 @@ TEST(RigidMotion, IsNoneOfFreeLiquid)
     EXPECT_LT(length(left.turn), rounding);
 }
 
+// Of forces that turn it the displacements tell a part alone: angular momentum is what it was before. Momentum is what displacements leave of it.
+TEST(RigidMotion, LeavesFreeLiquidTheAngularMomentumOfBefore)
+{
+    LiquidCase drop;
+    RandomNumbers random(5);
+    const auto points = latticeBlock(7, 5, 3, 1, {20, -30, 5});
+    std::vector<Vec3> velocities, changed;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        velocities.push_back(random({-0.1f, -0.1f, -0.1f}, {0.1f, 0.1f, 0.1f}));
+        changed.push_back(velocities[i] + cross(Vec3{0.01f, 0, -0.02f}, points[i]) + Vec3{0.05f, 0, 0});
+    }
+    drop.place(points, velocities);
+    const Motion before = motionOf(drop);
+    const scalar dt = 0.01f;
+    RigidMotion rigid;
+    rigid.begin(drop.liquid, drop.walls, dt);
+    drop.liquid.velocity.upload(changed);
+    const Motion made = motionOf(drop);
+    Buffer<Vec3> known(std::vector<Vec3>(points.size(), dt * Vec3{0.03f, 0, 0}));
+    rigid.remove(drop.liquid, {std::move(known), 1}, {}, drop.walls, reach * drop.liquid.spacing(), dt);
+    const Motion after = motionOf(drop);
+    EXPECT_GT(length(made.turn - before.turn), 0.01);
+    EXPECT_LT(length(after.turn - before.turn), 1e-6);       // velocities of up to 1 are rounded to 6e-8, arms are 3
+    EXPECT_LT(length(after.mean - made.mean + Vector3(0.03, 0, 0)), rounding);
+}
+
 // As long as one layer of particles has the plane within reach.
 TEST(RigidMotion, StaysAcrossAPlaneAndAboutAxesInIt)
 {
