@@ -206,6 +206,7 @@ void RigidMotion::sum(const Liquid& liquid, const Walls& walls, const Source& so
 
 void RigidMotion::begin(const Liquid& liquid, const Walls& walls, scalar dt)
 {
+    before_ = {};
     if (walls.constraints().none()) sum(liquid, walls, {{}, {}, 0, 0, liquid.velocity.span(), dt, 0}, before_);
 }
 
@@ -221,7 +222,6 @@ void RigidMotion::remove
     motion_.resizeDiscarding(1);
     forEach(1, FindMotion{sums_.span(), before_.span(), walls.constraints(), walls.adhesiveConstraints(), motion_.span()});
     forEach(liquid.owned(), RemoveMotion{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});
-    before_ = {};
 }
 
 }
