@@ -179,26 +179,10 @@ private:
 
 }
 
-struct RigidMotion::Source
+template<class F>
+void RigidMotion::sum(const Liquid& liquid, const F& ofParticle, Buffer<Sums>& sums)
 {
-    Span<const Vec3> pressure, forces;
-    scalar ofPressure, ofForces;
-    Span<const Vec3> velocity;
-    scalar dt, reach;
-};
-
-void RigidMotion::sum(const Liquid& liquid, const Walls& walls, const Source& source, Buffer<Sums>& sums)
-{
-    reduce
-    (
-        liquid.owned(),
-        SumsOfParticle
-        {
-            liquid.position.span(), source.pressure, source.forces, source.ofPressure, source.ofForces, source.velocity, source.dt,
-            walls.view(liquid), source.reach
-        },
-        scratch_, sums
-    );
+    reduce(liquid.owned(), ofParticle, scratch_, sums);
     if (liquid.parts().parts() == 1) return;
     liquid.ghosts().gather(sums, scratch_);
     sums.swap(scratch_);
@@ -207,7 +191,8 @@ void RigidMotion::sum(const Liquid& liquid, const Walls& walls, const Source& so
 void RigidMotion::begin(const Liquid& liquid, const Walls& walls, scalar dt)
 {
     before_ = {};
-    if (walls.constraints().none()) sum(liquid, walls, {{}, {}, 0, 0, liquid.velocity.span(), dt, 0}, before_);
+    if (!walls.constraints().none()) return;
+    sum(liquid, SumsOfParticle{liquid.position.span(), {}, {}, 0, 0, liquid.velocity.span(), dt, walls.view(liquid), 0}, before_);
 }
 
 void RigidMotion::remove
@@ -218,7 +203,15 @@ void RigidMotion::remove
 {
     if (walls.constraints().all() || pressure.by.size() + forces.by.size() == 0) return;
     const Span<const Vec3> velocity = before_.size() > 0 ? std::as_const(liquid.velocity).span() : Span<const Vec3>{};
-    sum(liquid, walls, {pressure.by.span(), forces.by.span(), pressure.scale, forces.scale, velocity, dt, reach}, sums_);
+    sum
+    (
+        liquid,
+        SumsOfParticle
+        {
+            liquid.position.span(), pressure.by.span(), forces.by.span(), pressure.scale, forces.scale, velocity, dt, walls.view(liquid), reach
+        },
+        sums_
+    );
     motion_.resizeDiscarding(1);
     forEach(1, FindMotion{sums_.span(), before_.span(), walls.constraints(), walls.adhesiveConstraints(), motion_.span()});
     forEach(liquid.owned(), RemoveMotion{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});
