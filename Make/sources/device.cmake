@@ -9,6 +9,7 @@ set(SHIZUKU_DEVICE_SOURCES
     particles/Units.C
     parallel/PartsOfProcess.C
     particles/FieldRegistry.C
+    particles/Exchange.C
     particles/Ghosts.C
     particles/FileOrder.C
     particles/ParticleFiles.C

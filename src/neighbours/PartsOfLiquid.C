@@ -8,7 +8,6 @@
 #include "neighbours/MarkRows.H"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace shizuku
@@ -73,18 +72,26 @@ Columns columnsOf(FieldRegistry& fields, const Wanted& wanted)
 bool moves(const FieldInfo& info) { return info.sorted; }
 bool isExchanged(const FieldInfo& info) { return info.exchanged; }
 
-// Records on the host, of particles that go to each part.
-std::vector<Bytes> byPart(const RowCut& cut, const std::byte* records, std::size_t record, const std::vector<Leaver>& leavers)
+// Who leaves, those who go to one part behind those of another.
+struct Leaving
 {
-    std::vector<Bytes> result(cut.parts());
-    for (const Leaver& leaver : leavers)
+    IndexList index;
+    std::vector<Exchange::Count> counts;        // by part
+
+    Leaving(const RowCut& cut, const std::vector<Leaver>& leavers) : index(leavers.size()), counts(cut.parts())
     {
-        Bytes& of = result[cut.partOf(leaver.y, leaver.z)];
-        of.insert(of.end(), records, records + record);
-        records += record;
+        std::vector<int> to;
+        to.reserve(leavers.size());
+        for (const Leaver& leaver : leavers)
+        {
+            to.push_back(cut.partOf(leaver.y, leaver.z));
+            ++counts[to.back()].all;
+        }
+        std::vector<int> next(counts.size(), 0);
+        for (std::size_t k = 1; k < next.size(); ++k) next[k] = next[k - 1] + counts[k - 1].all;
+        for (std::size_t k = 0; k < leavers.size(); ++k) index[next[to[k]]++] = leavers[k].index;
     }
-    return result;
-}
+};
 
 // Where those who come are put: into the places of those who left, then behind the others. What is left of these places is filled from behind; the order
 // does not matter, particles are sorted next.
@@ -113,20 +120,18 @@ struct Places
     }
 };
 
-// Puts the particles of these records into their places, and fills those that are left.
-void put(FieldRegistry& fields, const Bytes& records, const Places& places)
+// Puts those who come into their places, and fills those that are left.
+void settle(const Columns& columns, const Exchange& exchange, const Places& places)
 {
-    const Columns columns = columnsOf(fields, moves);
     const int moved = int(places.from.size());
     IndexList lists = places.come;
     lists.insert(lists.end(), places.from.begin(), places.from.end());
     lists.insert(lists.end(), places.to.begin(), places.to.end());
     const Buffer<std::uint32_t> indices(lists);
     const auto list = [&](std::size_t first, int n) { return Span<const std::uint32_t>{indices.span().data + first, n}; };
-    RecordMemory memory(RecordLine::countFor(std::max(records.size(), moved * recordOf(columns))));
+    exchange.unpack(columns, indices.span());
+    RecordMemory memory(RecordLine::countFor(moved * recordOf(columns)));
     std::byte* const bytes = reinterpret_cast<std::byte*>(memory.span().data);
-    if (!records.empty()) device::copyToDevice(bytes, records.data(), records.size());
-    unpack(bytes, list(0, int(places.come.size())), columns);
     pack(columns, list(places.come.size(), moved), bytes);
     unpack(bytes, list(places.come.size() + moved, moved), columns);
 }
@@ -155,31 +160,21 @@ bool PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid, int most)
     Buffer<std::uint8_t> is(liquid.owned());
     const int all = choose(MarkRows{grid, cut_.rowsOf(liquid.parts().part()), false, x, is.span()}, is, most), count = std::min(all, most);
 
-    // Records, and behind them who it is: one copy to the host.
-    FieldRegistry& fields = liquid.fields();
-    const Columns columns = columnsOf(fields, moves);
-    const std::size_t record = recordOf(columns), ofRecords = count * record, ofLeavers = count * sizeof(Leaver);
-    RecordMemory taken(RecordLine::countFor(ofRecords + ofLeavers));
-    std::byte* const records = reinterpret_cast<std::byte*>(taken.span().data);
     const Span<const std::uint32_t> indices{selection_.indices.span().data, count};
-    pack(columns, indices, records);
-    forEach(count, FindLeaver{grid, indices, x, {reinterpret_cast<Leaver*>(records + ofRecords), count}});
-    Bytes gone(ofRecords + ofLeavers);
-    std::vector<Leaver> leavers(count);
-    if (count > 0)
-    {
-        device::copyToHost(gone.data(), records, gone.size());
-        std::memcpy(leavers.data(), gone.data() + ofRecords, ofLeavers);
-    }
+    Buffer<Leaver> found(count);
+    forEach(count, FindLeaver{grid, indices, x, found.span()});
+    const std::vector<Leaver> leavers = found.download();
+    Leaving gone(cut_, leavers);
 
-    Bytes come;
-    for (const Bytes& from : liquid.parts().exchange(byPart(cut_, gone.data(), record, leavers))) come.insert(come.end(), from.begin(), from.end());
-    if (come.empty() && count == 0) return false;
-    IndexList left;
-    for (const Leaver& leaver : leavers) left.push_back(leaver.index);
-    const Places places(liquid.owned(), std::move(left), int(come.size() / record));
+    Exchange exchange;
+    const int coming = exchange.set(liquid.parts(), Buffer<std::uint32_t>(gone.index), gone.counts);
+    FieldRegistry& fields = liquid.fields();
+    exchange.pack(columnsOf(fields, moves));
+    liquid.ghosts().pass(exchange);                 // all parts come to it
+    if (coming == 0 && count == 0) return false;
+    const Places places(liquid.owned(), std::move(gone.index), coming);
     if (places.owned > liquid.owned()) liquid.resize(places.owned);
-    put(fields, come, places);
+    settle(columnsOf(fields, moves), exchange, places);
     if (places.owned < liquid.owned()) liquid.resize(places.owned);
     return all > count;
 }
@@ -214,7 +209,7 @@ void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach
             select(is, list.places, all, counts_[lists.size() - 1]);
         }
     }
-    std::vector<Ghosts::Seen> counts(cut_.parts());
+    std::vector<Exchange::Count> counts(cut_.parts());
     int sum = 0;
     for (std::size_t k = 0; k < lists.size(); ++k)
     {

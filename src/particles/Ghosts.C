@@ -4,6 +4,8 @@
 #include "device/Algorithms.H"
 #include "device/Atomic.H"
 
+#include <utility>
+
 namespace shizuku
 {
 
@@ -72,23 +74,9 @@ void Ghosts::join(const Communicator& communicator)
     link_ = linkDevices(communicator);
 }
 
-int Ghosts::set(Buffer<std::uint32_t> sent, const std::vector<Seen>& seen, int owned)
+int Ghosts::set(Buffer<std::uint32_t> sent, const std::vector<Exchange::Count>& seen, int owned)
 {
-    const int parts = this->parts().parts(), part = this->parts().part();
-    std::vector<Seen> all(parts * parts);
-    this->parts().gather(seen.data(), parts * sizeof(Seen), all.data());
-    sentSections_.clear();
-    receivedSections_.clear();
-    int given = 0, taken = 0;
-    for (int k = 0; k < parts; ++k)
-    {
-        const Seen give = seen[k], take = all[k * parts + part];
-        if (give.all > 0) sentSections_.push_back({k, given, give});
-        if (take.all > 0) receivedSections_.push_back({k, taken, take});
-        given += give.all;
-        taken += take.all;
-    }
-    sent_ = std::move(sent);
+    const int taken = exchange_.set(parts(), std::move(sent), seen);
     owned_ = owned;
     received_.resizeDiscarding(taken);
     forEach(taken, CountUp{received_.span(), std::uint32_t(owned)});
@@ -99,7 +87,7 @@ void Ghosts::reorder(const Buffer<std::uint32_t>& order)
 {
     Buffer<std::uint32_t> now(order.size());
     forEach(order.size(), Invert{order.span(), now.span()});
-    for (Buffer<std::uint32_t>* list : {&sent_, &received_}) forEach(list->size(), Renumber{now.span(), list->span()});
+    for (Buffer<std::uint32_t>* list : {&exchange_.sent(), &received_}) forEach(list->size(), Renumber{now.span(), list->span()});
     findEdge();
 }
 
@@ -109,7 +97,7 @@ void Ghosts::findEdge()
     Buffer<std::uint32_t> seen(n);
     Buffer<std::uint8_t> isEdge(n);
     seen.setZero();
-    forEach(sent_.size(), CountSeen{sent_.span(), seen.span()});
+    forEach(exchange_.sent().size(), CountSeen{std::as_const(exchange_).sent().span(), seen.span()});
     forEach(n, IsSeen{seen.span(), isEdge.span()});
     Selection edge;
     select(isEdge, edge, n, readEdges_);
@@ -124,60 +112,12 @@ int Ghosts::edges() const
     return *edges_;
 }
 
-template<class Piece>
-std::vector<Piece> Ghosts::piecesOf(const std::vector<Section>& sections, GhostsOf which, std::size_t record, RecordMemory& memory)
-{
-    std::vector<Piece> pieces;
-    int lines = 0;
-    for (const Section& section : sections)
-    {
-        const std::size_t bytes = section.of(which) * record;
-        if (bytes > 0) pieces.push_back({section.part, nullptr, bytes});
-        lines += RecordLine::countFor(bytes);
-    }
-    memory.resizeDiscarding(lines);
-    RecordLine* next = memory.span().data;
-    for (Piece& piece : pieces)
-    {
-        piece.bytes = next->of;
-        next += RecordLine::countFor(piece.size);
-    }
-    return pieces;
-}
-
-void Ghosts::packSent(const Columns& values, GhostsOf which) const
-{
-    const std::size_t record = recordOf(values);
-    outPieces_ = piecesOf<SentPiece>(sentSections_, which, record, out_);
-    inPieces_ = piecesOf<ReceivedPiece>(receivedSections_, which, record, in_);
-    auto piece = outPieces_.begin();
-    for (const Section& section : sentSections_)
-    {
-        const int count = section.of(which);
-        if (count == 0) continue;
-        pack(values, {sent_.span().data + section.first, count}, const_cast<std::byte*>(piece->bytes));
-        ++piece;
-    }
-}
-
-void Ghosts::unpackReceived(const Columns& values, GhostsOf which) const
-{
-    auto piece = inPieces_.begin();
-    for (const Section& section : receivedSections_)
-    {
-        const int count = section.of(which);
-        if (count == 0) continue;
-        unpack(piece->bytes, {received_.span().data + section.first, count}, values);
-        ++piece;
-    }
-}
-
 void Ghosts::copy(const Columns& values, GhostsOf which) const
 {
     if (parts().parts() == 1) return;
-    packSent(values, which);
-    link_->exchange(outPieces_, inPieces_);
-    unpackReceived(values, which);
+    exchange_.pack(values, which);
+    pass(exchange_);
+    exchange_.unpack(values, received_.span(), which);
 }
 
 void Ghosts::gather(const std::byte* own, std::size_t size, std::byte* all) const
@@ -199,16 +139,16 @@ void Ghosts::send(const Columns& values, GhostsOf which) const
 {
     {
         const device::Beside here;
-        packSent(values, which);
+        exchange_.pack(values, which);
     }
-    link_->begin(outPieces_, inPieces_);
+    link_->begin(exchange_.out(), exchange_.in());
 }
 
 void Ghosts::receive(const Columns& values, GhostsOf which) const
 {
     link_->end();
     const device::Beside here;
-    unpackReceived(values, which);
+    exchange_.unpack(values, received_.span(), which);
 }
 
 }
