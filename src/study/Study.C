@@ -129,9 +129,9 @@ void vary(Study& study, const Dictionary& variant)
     for (const auto& [word, value] : pairsOf(variant, "values")) replaceValue(study.common, word, value);
 }
 
-void readLeftOut(Study& study, bool isVariant)
+// strict: the axes have all choices that it names.
+void readLeftOut(Study& study, const Dictionary& leaveOut, bool strict)
 {
-    const Dictionary leaveOut = study.dict.subDictOrEmpty("leaveOut");
     for (const std::string& name : leaveOut.keys())
     {
         const Dictionary each = leaveOut.subDict(name);
@@ -142,7 +142,7 @@ void readLeftOut(Study& study, bool isVariant)
             study.leftOut.back().push_back({axis, {}});
             for (const StudyText& choice : listOf(each, word))
             {
-                if (!isVariant) study.axes[axis].find(choice);      // a variant may have other choices
+                if (strict) study.axes[axis].find(choice);
                 study.leftOut.back().back().second.push_back(nameOf(choice.text));
             }
         }
@@ -221,9 +221,13 @@ Study Study::read(const fs::path& given, const std::string& variant)
     const Dictionary axes = study.dict.subDict("axes");
     for (const std::string& name : axes.keys()) study.axes.push_back(readAxis(axes, name));
     if (study.axes.empty()) throw FatalInputError(axes.where(), "There is no axis: the grid is empty", "particles (500 1000);");
-    const Dictionary variants = study.dict.subDictOrEmpty("variants");
-    variants.markUsed();
-    if (!variant.empty())
+    const Dictionary variants = study.dict.subDictOrEmpty("variants"), leaveOut = study.dict.subDictOrEmpty("leaveOut");
+    for (const std::string& name : variants.keys())
+    {
+        if (name != variant) variants.subDict(name).markUsed();
+    }
+    if (variant.empty()) readLeftOut(study, leaveOut, true);
+    else
     {
         if (!variants.found(variant))
         {
@@ -233,9 +237,13 @@ Study Study::read(const fs::path& given, const std::string& variant)
                 variant
             );
         }
-        vary(study, variants.subDict(variant));
+        const Dictionary chosen = variants.subDict(variant);
+        vary(study, chosen);
+        const bool leavesOutOthers = chosen.found("leaveOut");
+        if (leavesOutOthers) leaveOut.markUsed();
+        readLeftOut(study, leavesOutOthers ? chosen.subDict("leaveOut") : leaveOut, leavesOutOthers);     // those of the study may be of choices that the variant has not
+        chosen.refuseUnused();
     }
-    readLeftOut(study, !variant.empty());
     checkWords(study);
     return study;
 }

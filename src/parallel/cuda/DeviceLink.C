@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parallel/DeviceLink.H"
 
+#include "core/messages/Error.H"
 #include "device/Beside.H"
 #include "device/HostBuffer.H"
 #include "device/Profile.H"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <future>
 #include <optional>
 
 namespace shizuku
@@ -37,10 +39,13 @@ bool eachHasItsOwn(const Communicator& parts)
     return std::adjacent_find(all.begin(), all.end()) == all.end();
 }
 
+// Says why where there is none.
 OpenNccl findNccl()
 {
     void* const module = dlopen("libshizukuNccl.so", RTLD_NOW);
-    return module ? reinterpret_cast<OpenNccl>(dlsym(module, "openNccl")) : nullptr;
+    if (module) return reinterpret_cast<OpenNccl>(dlsym(module, "openNccl"));
+    warning(std::string("What passes between GPUs goes through the host's memory, since there is no NCCL: ") + dlerror());
+    return nullptr;
 }
 
 // What goes beside travels when the other stream has been given what it does meanwhile.
@@ -73,23 +78,50 @@ private:
     mutable std::vector<ReceivedPiece> received_;
 };
 
+// NCCL takes its time to start, and for its first exchange: both are made while this part reads its files.
 class GpuToGpu : public BesideLink
 {
 public:
-    explicit GpuToGpu(std::unique_ptr<const GpuLink> nccl) : nccl_(std::move(nccl)) {}
+    GpuToGpu(std::unique_ptr<GpuLink> nccl, const Communicator& parts) : nccl_(std::move(nccl))
+    {
+        int gpu = 0;
+        device::check(cudaGetDevice(&gpu), "cannot tell the selected GPU");
+        const int all = parts.parts(), part = parts.part();
+        started_ = std::async(std::launch::async, [this, gpu, next = (part + 1) % all, before = (part + all - 1) % all]
+        {
+            device::check(cudaSetDevice(gpu), "cannot select a GPU");
+            nccl_->start();
+            passOn(next, before);
+        });
+    }
 
     std::string name() const override { return nccl_->name(); }
 
 private:
     void pass(const std::vector<SentPiece>& sent, const std::vector<ReceivedPiece>& received, cudaStream_t stream) const override
     {
+        if (started_.valid()) started_.get();
         std::optional<device::Beside> here;
         if (stream == device::launchQueue().other()) here.emplace();
         const device::Timed way(device::wayOfGhosts);
         nccl_->exchange(sent, received, stream);
     }
 
-    std::unique_ptr<const GpuLink> nccl_;
+    // A byte.
+    void passOn(int next, int before) const
+    {
+        std::byte* bytes = nullptr;
+        cudaStream_t stream = nullptr;
+        device::check(cudaMalloc(reinterpret_cast<void**>(&bytes), 2), "cannot allocate memory");
+        device::check(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "cannot create a stream");
+        nccl_->exchange({{next, bytes, 1}}, {{before, bytes + 1, 1}}, stream);
+        device::check(cudaStreamSynchronize(stream), "cannot link the GPUs");
+        device::check(cudaStreamDestroy(stream), "cannot destroy a stream");
+        device::check(cudaFree(bytes), "cannot free memory");
+    }
+
+    std::unique_ptr<GpuLink> nccl_;
+    mutable std::future<void> started_;         // is waited for where the link ends before its first exchange
 };
 
 class ThroughHost : public BesideLink
@@ -148,7 +180,7 @@ std::shared_ptr<const DeviceLink> linkDevices(const Communicator& parts)
 {
     const OpenNccl open = eachHasItsOwn(parts) ? findNccl() : nullptr;
     if (parts.any(!open)) return std::make_shared<ThroughHost>(parts);
-    return std::make_shared<GpuToGpu>(std::unique_ptr<const GpuLink>(open(parts)));
+    return std::make_shared<GpuToGpu>(std::unique_ptr<GpuLink>(open(parts)), parts);
 }
 
 }

@@ -134,6 +134,19 @@ TEST_F(StudyOf, AVariantMayHaveAnAxisOfItsOwn)
     EXPECT_TRUE(holds(messageOf([&] { study(variants("volum"), "wide"); }), {"no value 'volum'", "Did you mean 'volume'?"}));
 }
 
+TEST_F(StudyOf, AVariantsLeftOutRunsStandInPlaceOfTheStudys)
+{
+    const std::string rest = "}\naxes { volume (1 8); set (default other); }\nleaveOut { one { volume (1); set (other); } }\n"
+                             "variants { few { axes { volume (8 27); } leaveOut { all { set (other); } } } same { values { particles 50; } } }\n";
+    EXPECT_EQ(runsOf(study(rest)).size(), 3u);
+    EXPECT_EQ(runsOf(study(rest, "same")).size(), 3u);
+    EXPECT_EQ(runsOf(study(rest, "few")).size(), 2u);
+    const std::string wrong = "}\naxes { volume (1 8); }\nvariants { few { leaveOut { one { volume (2); } } } odd { axis { volume (1); } } }\n";
+    EXPECT_TRUE(holds(messageOf([&] { study(wrong, "few"); }), {"'2'", "8"}));
+    EXPECT_TRUE(holds(messageOf([&] { study(wrong, "odd"); }), {"axis"}));
+    EXPECT_EQ(runsOf(study(wrong)).size(), 2u);
+}
+
 TEST_F(StudyOf, LeavesOutWhatAllAxesOfARuleHold)
 {
     const std::string axes = "}\naxes { particles (1 8 64); set (default other); }\n";
