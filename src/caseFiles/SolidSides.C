@@ -34,29 +34,37 @@ SolidSides::Place SolidSides::operator()(const Vector3& x) const
 
 std::optional<int> SolidSides::patchInTheWay(const Vector3& x, double least)
 {
-    if (const Cell& cell = cellOf(x); cell.free) return cell.patch;
+    double edge = 64*spacing_;
+    for (Cells& cells : cells_)
+    {
+        if (const Cell& cell = cellOf(x, edge, cells); cell.free) return cell.patch;
+        edge /= 4;
+    }
     const Place place = (*this)(x);
     if (place.behind || place.distance < least) return int(solid_.patch[place.nearest]);
     return {};
 }
 
-const SolidSides::Cell& SolidSides::cellOf(const Vector3& x)
+// edge: m.
+const SolidSides::Cell& SolidSides::cellOf(const Vector3& x, double edge, Cells& cells) const
 {
-    constexpr double edge = 4, reach = 1.5;         // spacings; a way between two places farther than that from all particles does not cross their layer
+    constexpr double reach = 1.5;           // spacings; a way between two places farther than that from all particles does not cross their layer
+    constexpr double narrow = 4;            // spacings; behind a layer's border a cell may have two sides: there wide ones are not asked
     constexpr std::uint64_t bits = 21, mask = (1 << bits) - 1;
     Vector3 middle;
     std::uint64_t key = 0;
     for (int c = 0; c < 3; ++c)
     {
-        const double cell = std::floor(x[c]/(edge*spacing_));
-        middle[c] = (cell + 0.5)*edge*spacing_;
+        const double cell = std::floor(x[c]/edge);
+        middle[c] = (cell + 0.5)*edge;
         key = key << bits | (std::uint64_t(std::int64_t(cell)) & mask);
     }
-    const auto [at, isNew] = cells_.try_emplace(key);
+    const auto [at, isNew] = cells.try_emplace(key);
     if (isNew)
     {
         const Place place = (*this)(middle);
-        at->second.free = place.distance > (0.5*std::sqrt(3)*edge + reach)*spacing_;
+        const bool inFront = dot(middle - solid_.positions[place.nearest], solid_.normals[place.nearest]) >= 0;
+        at->second.free = place.distance > 0.5*std::sqrt(3)*edge + reach*spacing_ && (inFront || edge <= narrow*spacing_);
         if (place.behind) at->second.patch = int(solid_.patch[place.nearest]);
     }
     return at->second;

@@ -8,6 +8,7 @@
 #include "device/Reduce.H"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace shizuku
@@ -154,7 +155,7 @@ void BlockMap::store(Span<const Position> positions)
         if (bits_ > 30) throw FatalError("The liquid is spread over too many blocks of nodes: use larger cells in system/meshSurfaceDict.");
         collectKeys(positions);
     }
-    constexpr int most = 0xffffffff / (3 * BlockMapView::nodes);        // edges are counted by 32 bits
+    constexpr int most = std::numeric_limits<int>::max() / BlockMapView::nodes;         // nodes are counted by int
     const int stored = int(count[Count::stored]);
     if (stored > most)
     {

@@ -108,14 +108,14 @@ auto ofBlock(const std::vector<T>& blocks, std::uint64_t key)
 struct ListEdges
 {
     VerticesView vertices;
-    Span<std::uint32_t> edges;              // of each vertex: 3 node + axis
+    Span<std::uint64_t> edges;              // of each vertex: 3 node + axis
 
     HOST_DEVICE void operator()(int row) const
     {
         std::uint32_t vertex = RowCounts::vertices(vertices.first[row]);
         for (std::uint32_t rest = vertices.crossed[row]; rest != 0; rest &= rest - 1)
         {
-            edges[int(vertex++)] = std::uint32_t(RowView::edges) * std::uint32_t(row) + RowView::lowestBit(rest);
+            edges[int(vertex++)] = std::uint64_t(RowView::edges) * std::uint64_t(row) + RowView::lowestBit(rest);
         }
     }
 };

@@ -97,7 +97,7 @@ TEST(SolidSides, ManyPlacesAreAskedForByCells)
     {
         for (double y = 1.1; y < 39; y += 3.7)
         {
-            for (double z = -30.2; z < 30; z += 1.1)
+            for (double z = -90.2; z < 90; z += 1.1)
             {
                 // A place farther than a cell from the border, where the middle of a cell and its places may lie on different sides of it.
                 if (z < -4 && std::min(std::abs(x), std::abs(x - 40)) < 5) continue;
