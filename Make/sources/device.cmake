@@ -95,6 +95,7 @@ set(SHIZUKU_DEVICE_SOURCES
     surface/LiquidSurface.C
     surface/SurfaceCut.C
     surface/CaseSurface.C
+    surface/MeshOfParts.C
     stepping/Balance.C
     stepping/CaseSetup.C
     stepping/DryRun.C

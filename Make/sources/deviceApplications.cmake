@@ -11,7 +11,7 @@ set(pbfDroplet_SOURCES
     pbfDroplet.C CaseChanges.C CaseWriter.C Divergence.C FallenLiquid.C SameFiles.C SlipReport.C StepReport.C ProfileReport.C Ceilings.C
 )
 set(pbfDroplet_KERNELS ProfileReport.C Ceilings.C FallenLiquid.C)
-set(meshSurface_SOURCES meshSurface.C MeshOfParts.C MeshTimes.C)
+set(meshSurface_SOURCES meshSurface.C MeshTimes.C)
 set(postProcess_SOURCES postProcess.C)
 set(adviseCase_SOURCES adviseCase.C CaseForecast.C SolverStart.C)
 set(adviseCase_LINK shizukuAdvice)

@@ -46,6 +46,7 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     surface/MarchingCubesTable.C
     surface/CaseSurface.C
     surface/SurfaceCut.C
+    surface/MeshOfParts.C
     stepping/DryRun.C
     stepping/StepControl.C
     stepping/CaseSetup.C

@@ -4,6 +4,9 @@
 #include "models/density/Density.H"
 #include "neighbours/WholeLiquid.H"
 #include "surface/CaseSurface.H"
+#include "surface/MeshOfParts.H"
+
+#include <limits>
 
 namespace shizuku
 {
@@ -38,9 +41,10 @@ void FlowView::computeDensities()
     densityIsDue_ = false;
 }
 
-void FlowView::cut(std::unique_ptr<Liquid> whole)
+void FlowView::cut(std::unique_ptr<Liquid> whole, bool sameBits, int many)
 {
     whole_ = std::move(whole);
+    mostInOnePiece_ = sameBits ? std::numeric_limits<int>::max() : many;
     allParticles_ = liquid_.parts().count(liquid_.owned());
 }
 
@@ -51,7 +55,27 @@ void FlowView::recount()
 
 void FlowView::gather()
 {
-    if (allParticles_) gatherLiquid(liquid_, near, whole_.get());
+    if (allParticles_ && !isGathered_) gatherLiquid(liquid_, near, whole_.get());
+    isGathered_ = true;
+}
+
+void FlowView::gatherSurface()
+{
+    if (!allParticles_) return;
+    if (*allParticles_ <= mostInOnePiece_) gather();
+    else makeSurfaceInParts();
+}
+
+void FlowView::makeSurfaceInParts()
+{
+    std::vector<Position> share = liquid_.position.download();
+    share.resize(liquid_.owned());
+    const auto [cut, own] = mesher().particlesOfLayers(share, liquid_.parts());
+    const Buffer<Position> particles(own);
+    mesher().build(particles.span(), cut);
+    const MeshOfParts mesh(mesher(), liquid_.units().length, cut);
+    enclosed_ = {mesh.volume(), liquid_.parts().count(mesher().particlesOutside())};
+    surface_ = mesh.whole();
 }
 
 const LiquidState& FlowView::state()
@@ -67,10 +91,15 @@ const std::vector<Vector3>& FlowView::positions()
     return *positions_;
 }
 
-LiquidSurface& FlowView::builtSurface()
+LiquidSurface& FlowView::mesher()
 {
     if (!mesher_) mesher_.emplace(readSurfaceParameters(time.casePath(), liquid_.spacing()));
-    if (surfaceIsDue_) mesher_->build({seen().position.span().data, seen().owned()});
+    return *mesher_;
+}
+
+LiquidSurface& FlowView::builtSurface()
+{
+    if (surfaceIsDue_) mesher().build({seen().position.span().data, seen().owned()});
     surfaceIsDue_ = false;
     return *mesher_;
 }
@@ -83,13 +112,14 @@ const TriangleMesh& FlowView::surface()
 
 double FlowView::surfaceVolume()
 {
+    if (enclosed_) return enclosed_->volume;
     const double unit = liquid_.units().length;
     return builtSurface().volume() * unit * unit * unit;
 }
 
 int FlowView::particlesOutsideSurface()
 {
-    return builtSurface().particlesOutside();
+    return enclosed_ ? enclosed_->particlesOutside : builtSurface().particlesOutside();
 }
 
 void FlowView::moved(double dt)
@@ -100,6 +130,8 @@ void FlowView::moved(double dt)
     positions_.reset();
     surface_.reset();
     surfaceIsDue_ = true;
+    enclosed_.reset();
+    isGathered_ = false;
 }
 
 }

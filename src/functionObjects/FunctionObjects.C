@@ -123,17 +123,15 @@ std::function<void(const std::filesystem::path&)> FunctionObjects::writingState(
     };
 }
 
-bool FunctionObjects::lookAtDensities(const Time& time) const
+bool FunctionObjects::anyDue(const Time& time, bool (FunctionObject::*looks)() const) const
 {
-    const auto looks = [&](const Entry& entry) { return entry.object->looksAtDensities() && entry.executeControl.mayBeDue(time); };
-    return std::any_of(entries_.begin(), entries_.end(), looks);
+    const auto isOne = [&](const Entry& entry) { return (*entry.object.*looks)() && entry.executeControl.mayBeDue(time); };
+    return std::any_of(entries_.begin(), entries_.end(), isOne);
 }
 
-bool FunctionObjects::lookAtParticles(const Time& time) const
-{
-    const auto looks = [&](const Entry& entry) { return entry.object->looksAtParticles() && entry.executeControl.mayBeDue(time); };
-    return std::any_of(entries_.begin(), entries_.end(), looks);
-}
+bool FunctionObjects::lookAtDensities(const Time& time) const { return anyDue(time, &FunctionObject::looksAtDensities); }
+bool FunctionObjects::lookAtParticles(const Time& time) const { return anyDue(time, &FunctionObject::looksAtParticles); }
+bool FunctionObjects::lookAtSurface(const Time& time) const { return anyDue(time, &FunctionObject::looksAtSurface); }
 
 void FunctionObjects::execute(FlowView& flow)
 {

@@ -154,12 +154,20 @@ struct StoreTriangles
     }
 };
 
-// Particles where the liquid's indicator is below the surface's level.
+// Particles in these layers where the liquid's indicator is below the surface's level.
 struct CountOutside
 {
     Indicator phi;
+    BlockMapView map;
+    BlockLayers layers;
 
-    HOST_DEVICE SurfaceSum operator()(int i) const { return {phi.value(phi.particles[i], Team{}) < Indicator::level ? 1.0 : 0.0}; }
+    HOST_DEVICE SurfaceSum operator()(int i) const
+    {
+        const Position x = phi.particles[i];
+        const std::int64_t z = map.blockAt(placeOf(x).z);
+        const bool isOwn = z >= layers.low && z < layers.high;
+        return {isOwn && phi.value(x, Team{}) < Indicator::level ? 1.0 : 0.0};
+    }
 };
 
 // Of the tetrahedron of a triangle and the first vertex, negative where the triangle looks towards it: their sum over a closed mesh
@@ -215,9 +223,10 @@ void LiquidSurface::build(Span<const Position> positions, const SurfaceCut& cut)
     triangles_.resizeDiscarding(0);
     particles_.resizeDiscarding(0);
     numbers_ = {};
+    layers_ = cut.own();
     if (positions.size == 0 && !isCut) return;
 
-    blocks_.collect(positions, cut.own());
+    blocks_.collect(positions, layers_);
     gather(positions, grid_.build(positions, positions.size), particles_);
     weighParticles();
     blocks_.store(positions);
@@ -253,7 +262,7 @@ double LiquidSurface::volume()
 
 int LiquidSurface::particlesOutside()
 {
-    return int(reduce(particles_.size(), CountOutside{indicator()}, scratch_).value);
+    return int(reduce(particles_.size(), CountOutside{indicator(), blocks_.view(), layers_}, scratch_).value);
 }
 
 void LiquidSurface::weighParticles()

@@ -57,7 +57,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     const auto cutWalls = [&] { if (isCut && !cutting.sameBits) setup.walls->cut(balance.cut().rowsOf(parts.part()), near.grid().view()); };
     cutWalls();
     FlowView flow(time, liquid, near, *setup.walls, *setup.models);
-    if (isCut) flow.cut(isFirst ? setup.emptyLiquid() : nullptr);
+    if (isCut) flow.cut(isFirst ? setup.emptyLiquid() : nullptr, cutting.sameBits);
     if (cutting.sameBits) shareAsOf(flow.particles());
     setup.refuseBadStart(time);
     reportRelaxation(setup.relaxOverlap(time, near));
@@ -102,6 +102,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         if (time.writeDue()) setup.models->pressure->complete();
         if (isCut && densitiesAreDue) flow.state();
         if (functions.lookAtParticles(time)) flow.gather();
+        if (functions.lookAtSurface(time)) flow.gatherSurface();
         if (isFirst) functions.execute(flow);
         stopWhereAsked(time, functions, parts);
         if (isFirst && time.reportDue()) reportStep(steps, flow, *setup.outlets, functions);

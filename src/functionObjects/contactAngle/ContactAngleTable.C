@@ -53,6 +53,7 @@ public:
     void goOn(const KeptNumbers& state, double) override { measurement_.goOn(state); }
 
     bool looksAtDensities() const override { return false; }
+    bool looksAtSurface() const override { return true; }
     const CsvFile* table() const override { return &table_; }
 
 private:

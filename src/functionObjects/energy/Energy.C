@@ -41,7 +41,7 @@ public:
     {
         const LiquidState& state = flow.state();
         const auto g = flow.models.bodyForce->uniform();
-        const double mass = flow.liquid().owned() * flow.properties().particleMass();
+        const double mass = flow.particles() * flow.properties().particleMass();
         const double potential = 0 - mass * dot(Vector3(g), Vector3(state.centroid));       // 0, not -0, without gravity
         const double surface = flow.models.forces.active() ? flow.properties().surfaceTension * tensionArea(flow) : 0;
         table_.addRow
@@ -50,6 +50,8 @@ public:
         });
     }
 
+    bool looksAtParticles() const override { return false; }
+    bool looksAtSurface() const override { return true; }
     const CsvFile* table() const override { return &table_; }
 
 private:

@@ -60,6 +60,8 @@ public:
     }
 
     bool looksAtDensities() const override { return false; }
+    bool looksAtParticles() const override { return false; }
+    bool looksAtSurface() const override { return true; }
     const CsvFile* table() const override { return &table_; }
 
 private:

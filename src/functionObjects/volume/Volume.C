@@ -44,6 +44,8 @@ public:
     }
 
     bool looksAtDensities() const override { return crowded_; }
+    bool looksAtParticles() const override { return false; }
+    bool looksAtSurface() const override { return true; }
     const CsvFile* table() const override { return &table_; }
 
 private:

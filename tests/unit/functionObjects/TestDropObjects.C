@@ -3,6 +3,8 @@
 
 #include "functionObjects/FunctionObjects.H"
 
+#include "parallel/AllParts.H"
+#include "parallel/PartsOfProcess.H"
 #include "support/FlowCase.H"
 
 #include <algorithm>
@@ -245,4 +247,32 @@ TEST(FlowView, ComputesNothingUnasked)
         return deviceCounters().launches - start;
     };
     EXPECT_EQ(launchesOf(many), launchesOf(one));
+}
+
+// Each part makes a piece, of which part 0 has the whole; roundings differ.
+TEST(FlowView, OfPartsHasTheSurfaceThatOneMakes)
+{
+    std::vector<Vec3> places = halfBall();
+    places.push_back({0.5f, 0.5f, 30});                         // spray
+    FlowCase whole("", onAPlane);
+    whole.place(places);
+    const TriangleMesh expected = whole.view().surface();
+    for (const int parts : {1, 2, 3})
+    {
+        runParts(parts, [&](const Communicator& all)
+        {
+            const auto [first, end] = shareOf(all, places.size());
+            FlowCase flow("", onAPlane);
+            flow.place({places.begin() + long(first), places.begin() + long(end)});
+            flow.liquid.ghosts().join(all);
+            FlowView& view = flow.view();
+            view.cut(nullptr, false, 0);
+            view.gatherSurface();
+            if (all.part() > 0) return;
+            EXPECT_EQ(view.surface().faces, expected.faces) << parts;
+            EXPECT_NEAR(view.surfaceVolume(), whole.view().surfaceVolume(), 1e-6*expected.volume()) << parts;
+            EXPECT_EQ(view.particlesOutsideSurface(), whole.view().particlesOutsideSurface()) << parts;
+        });
+    }
+    EXPECT_EQ(whole.view().particlesOutsideSurface(), 1);
 }

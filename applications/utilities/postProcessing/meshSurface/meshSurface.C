@@ -3,7 +3,6 @@
 //
 // With -parallel each part meshes some layers of the space; files are those of one process, or, as pvtp, pieces that the parts write.
 
-#include "MeshOfParts.H"
 #include "MeshTimes.H"
 #include "caseFiles/LiquidFiles.H"
 #include "core/arguments/runApplication.H"
@@ -16,6 +15,7 @@
 #include "parallel/ParallelRun.H"
 #include "particles/Units.H"
 #include "surface/CaseSurface.H"
+#include "surface/MeshOfParts.H"
 
 #include <algorithm>
 #include <cmath>

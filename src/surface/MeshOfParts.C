@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "MeshOfParts.H"
+#include "surface/MeshOfParts.H"
 
 #include "core/messages/Error.H"
 #include "parallel/AllParts.H"
