@@ -2,6 +2,7 @@
 #include "drops/WettedSurface.H"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -101,12 +102,13 @@ WettedSurface::Contact WettedSurface::contactOf(const Vector3& centre, const Vec
     }
     if (!nearest_) return contact;
     // Solid particles lie half a spacing inside of the solid; beside the border of their layer is no wall.
-    const std::size_t k = (*nearest_)(centre);
-    const Vector3 r = centre - solid_.positions[k], &n = solid_.normals[k];
+    const auto k = nearest_->within(centre, std::hypot(0.5 + reach, 1)*spacing_);
+    if (!k) return contact;
+    const Vector3 r = centre - solid_.positions[*k], &n = solid_.normals[*k];
     const double height = dot(r, n);
     if (squaredLength(r) - height*height < spacing_*spacing_)
     {
-        consider(int(analytic_.size()) + solid_.patch[k], long(k), height - 0.5*spacing_, n);
+        consider(int(analytic_.size()) + solid_.patch[*k], long(*k), height - 0.5*spacing_, n);
     }
     return contact;
 }

@@ -40,6 +40,15 @@ std::size_t NearestPoint::operator()(const Vector3& x) const
     return tree_->points.qbegin(bg::index::nearest(Point(x.x, x.y, x.z), 1))->second;
 }
 
+std::optional<std::size_t> NearestPoint::within(const Vector3& x, double reach) const
+{
+    const bg::model::box<Point> around(Point(x.x - reach, x.y - reach, x.z - reach), Point(x.x + reach, x.y + reach, x.z + reach));
+    const Point centre(x.x, x.y, x.z);
+    const auto found = tree_->points.qbegin(bg::index::intersects(around) && bg::index::nearest(centre, 1));
+    if (found == tree_->points.qend() || bg::comparable_distance(found->first, centre) > reach*reach) return {};
+    return found->second;
+}
+
 std::vector<std::size_t> NearestPoint::operator()(const Vector3& x, std::size_t count) const
 {
     std::vector<std::size_t> result;
