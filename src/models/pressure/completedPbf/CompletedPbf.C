@@ -316,9 +316,9 @@ private:
         liquid.predicted.swap(push_);
     }
 
-    OrderStress stress(const Liquid& liquid)
+    KeptOrderStress stress(const Liquid& liquid)
     {
-        return {orderRemoved_, dt_ * dt_ / liquid.restDensity(), 0.5f * liquid.spacing(), stress_.span()};
+        return {{orderRemoved_, 0.5f * liquid.spacing()}, dt_ * dt_ / liquid.restDensity(), stress_.span()};
     }
 
     TangentialGradient tangential() { return {surface_.view(), normals_.span(), wallNormals_.span()}; }

@@ -223,7 +223,7 @@ private:
         else
         {
             Buffer<scalar> taken(surface_.particles().indices.size());
-            measure(liquid, near, walls, field, OrderStress{surface_.agreed().orderRemoved, 1, 0.5f * liquid.spacing(), {}}, taken.span(), deficiency);
+            measure(liquid, near, walls, field, OrderStress{surface_.agreed().orderRemoved, 0.5f * liquid.spacing()}, taken.span(), deficiency);
             liquid.ghosts().copy({valuesOf(surface_.particles(), taken)}, GhostsOf::lists);
             std::visit
             (

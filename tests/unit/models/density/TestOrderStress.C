@@ -103,7 +103,7 @@ struct StoreDeviator
     WallContribution walls;
     FreeSurfaceView surface;
     HalfSpaceView plane;
-    OrderStress stress;
+    KeptOrderStress stress;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
@@ -127,7 +127,7 @@ std::vector<SymmTensor<Vec3>> deviators(const LiquidCase& drop, scalar layer)
     forEachTeam(liquid.owned(), StoreDeviator
     {
         W, liquid.particleVolume(), liquid.predicted.span(), drop.near.view(), {extended.view(), W.h, drop.walls.view(drop.liquid)},
-        drop.surface.view(), {plane.span(), W.h}, {1, 1, layer * liquid.spacing(), ofParticle.span()}
+        drop.surface.view(), {plane.span(), W.h}, {{1, layer * liquid.spacing()}, 1, ofParticle.span()}
     });
     std::vector<SymmTensor<Vec3>> result;
     for (const Vec3 words : drop.inOrder(ofParticle)) result.push_back(unpacked(words));
