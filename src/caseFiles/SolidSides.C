@@ -7,6 +7,13 @@
 namespace shizuku
 {
 
+namespace
+{
+
+constexpr std::array<double, 3> edges{64, 16, 4};       // of cells, in spacings
+
+}
+
 SolidSides::SolidSides(const SolidParticles& solid, double spacing) : solid_(solid), spacing_(spacing), nearest_(solid.positions) {}
 
 SolidSides::Place SolidSides::operator()(const Vector3& x) const
@@ -34,11 +41,9 @@ SolidSides::Place SolidSides::operator()(const Vector3& x) const
 
 std::optional<int> SolidSides::patchInTheWay(const Vector3& x, double least)
 {
-    double edge = 64*spacing_;
-    for (Cells& cells : cells_)
+    for (std::size_t k = 0; k < edges.size(); ++k)
     {
-        if (const Cell& cell = cellOf(x, edge, cells); cell.free) return cell.patch;
-        edge /= 4;
+        if (const Cell& cell = cellOf(x, edges[k]*spacing_, cells_[k]); cell.free) return cell.patch;
     }
     const Place place = (*this)(x);
     if (place.behind || place.distance < least) return int(solid_.patch[place.nearest]);
@@ -49,7 +54,6 @@ std::optional<int> SolidSides::patchInTheWay(const Vector3& x, double least)
 const SolidSides::Cell& SolidSides::cellOf(const Vector3& x, double edge, Cells& cells) const
 {
     constexpr double reach = 1.5;           // spacings; a way between two places farther than that from all particles does not cross their layer
-    constexpr double narrow = 4;            // spacings; behind a layer's border a cell may have two sides: there wide ones are not asked
     constexpr std::uint64_t bits = 21, mask = (1 << bits) - 1;
     Vector3 middle;
     std::uint64_t key = 0;
@@ -63,8 +67,9 @@ const SolidSides::Cell& SolidSides::cellOf(const Vector3& x, double edge, Cells&
     if (isNew)
     {
         const Place place = (*this)(middle);
+        // Behind a layer's border a cell may have two sides: there the narrowest are asked alone.
         const bool inFront = dot(middle - solid_.positions[place.nearest], solid_.normals[place.nearest]) >= 0;
-        at->second.free = place.distance > 0.5*std::sqrt(3)*edge + reach*spacing_ && (inFront || edge <= narrow*spacing_);
+        at->second.free = place.distance > 0.5*std::sqrt(3)*edge + reach*spacing_ && (inFront || edge <= edges.back()*spacing_);
         if (place.behind) at->second.patch = int(solid_.patch[place.nearest]);
     }
     return at->second;

@@ -68,8 +68,8 @@ void FlowView::gatherSurface()
 
 void FlowView::makeSurfaceInParts()
 {
-    std::vector<Position> share = liquid_.position.download();
-    share.resize(liquid_.owned());
+    std::vector<Position> share(liquid_.owned());
+    liquid_.position.download(share.data(), liquid_.owned());
     const auto [cut, own] = mesher().particlesOfLayers(share, liquid_.parts());
     const Buffer<Position> particles(own);
     mesher().build(particles.span(), cut);
