@@ -2,6 +2,7 @@
 #include "drops/WettedSurface.H"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -33,28 +34,85 @@ std::vector<AnalyticSurface> smoothParts(const AnalyticSurface& wall)
     return planes;
 }
 
-// The largest extent of points over the directions at right angles to n. Directions stand 2 degrees apart, so that it
-// may be short by 1 - cos(1 degree) = 1.5e-4.
-double extentAlong(const std::vector<Vector3>& points, const Vector3& n)
+struct Wetted
 {
-    constexpr int directions = 90;
-    const Vector3 u = perpendicular(n), v = cross(n, u);
-    double most = 0;
-    for (int k = 0; k < directions; ++k)
+    double area = 0, places = 0;
+    Vector3 normal;
+
+    void add(const Wetted& other)
     {
-        const double angle = std::numbers::pi*k/directions;
-        const Vector3 direction = std::cos(angle)*u + std::sin(angle)*v;
-        double low = std::numeric_limits<double>::infinity(), high = -low;
+        area += other.area;
+        places += other.places;
+        normal += other.normal;
+    }
+};
+
+// Where points lie along the directions at right angles to n, from the lowest to the highest. Directions stand 2 degrees apart, so that the largest extent
+// may be short by 1 - cos(1 degree) = 1.5e-4.
+class Extents
+{
+public:
+    Extents()
+    {
+        low_.fill(std::numeric_limits<double>::infinity());
+        high_.fill(-std::numeric_limits<double>::infinity());
+    }
+
+    void widen(const std::vector<Vector3>& points, const Vector3& n)
+    {
+        const Vector3 u = perpendicular(n), v = cross(n, u);
+        std::array<Vector3, directions> direction;
+        for (int k = 0; k < directions; ++k)
+        {
+            const double angle = std::numbers::pi*k/directions;
+            direction[k] = std::cos(angle)*u + std::sin(angle)*v;
+        }
         for (const Vector3& p : points)
         {
-            const double place = dot(p, direction);
-            low = std::min(low, place);
-            high = std::max(high, place);
+            for (int k = 0; k < directions; ++k)
+            {
+                const double place = dot(p, direction[k]);
+                low_[k] = std::min(low_[k], place);
+                high_[k] = std::max(high_[k], place);
+            }
         }
-        most = std::max(most, high - low);
     }
-    return most;
-}
+
+    void add(const Extents& other)
+    {
+        for (int k = 0; k < directions; ++k)
+        {
+            low_[k] = std::min(low_[k], other.low_[k]);
+            high_[k] = std::max(high_[k], other.high_[k]);
+        }
+    }
+
+    double largest() const
+    {
+        double most = 0;
+        for (int k = 0; k < directions; ++k) most = std::max(most, high_[k] - low_[k]);
+        return most;
+    }
+
+private:
+    static constexpr int directions = 90;
+    std::array<double, directions> low_, high_;
+};
+
+// Sizes along the mean normal and across it, of what is wetted and of all.
+struct Sizes
+{
+    Extents wetted, all;
+    double base = 0, top = -std::numeric_limits<double>::infinity();
+
+    void add(const Sizes& other)
+    {
+        wetted.add(other.wetted);
+        all.add(other.all);
+        base += other.base;
+        top = std::max(top, other.top);
+    }
+};
 
 }
 
@@ -113,32 +171,36 @@ WettedSurface::Contact WettedSurface::contactOf(const Vector3& centre, const Vec
     return contact;
 }
 
-Spread measureSpread(const TriangleMesh& mesh, const std::vector<WettedSurface::Contact>& contacts, int wall)
+Spread measureSpread(const TriangleMesh& mesh, const std::vector<WettedSurface::Contact>& contacts, int wall, const Communicator& parts)
 {
-    Spread spread;
-    Vector3 normal;
+    Wetted wetted;
     std::vector<Vector3> places;
     for (std::size_t f = 0; f < contacts.size(); ++f)
     {
         if (contacts[f].wall != wall) continue;
-        spread.wettedArea += contacts[f].area;
-        normal += contacts[f].area*contacts[f].normal;
+        wetted.add({contacts[f].area, 3, contacts[f].area*contacts[f].normal});
         for (const int vertex : mesh.faces[f]) places.push_back(mesh.vertices[vertex]);
     }
-    if (!(length(normal) > 0))
+    wetted = parts.fold(wetted);
+    Spread spread;
+    spread.wettedArea = wetted.area;
+    if (!(length(wetted.normal) > 0))
     {
         spread.normal = {none, none, none};
         spread.liquidExtent = spread.height = none;
         return spread;
     }
-    spread.normal = normalized(normal);
+    spread.normal = normalized(wetted.normal);
     spread.wettedDiameter = 2*std::sqrt(spread.wettedArea/std::numbers::pi);
-    spread.wettedExtent = extentAlong(places, spread.normal);
-    spread.liquidExtent = extentAlong(mesh.vertices, spread.normal);
-    double base = 0, top = -std::numeric_limits<double>::infinity();
-    for (const Vector3& p : places) base += dot(p, spread.normal)/double(places.size());
-    for (const Vector3& p : mesh.vertices) top = std::max(top, dot(p, spread.normal));
-    spread.height = top - base;
+    Sizes sizes;
+    sizes.wetted.widen(places, spread.normal);
+    sizes.all.widen(mesh.vertices, spread.normal);
+    for (const Vector3& p : places) sizes.base += dot(p, spread.normal)/wetted.places;
+    for (const Vector3& p : mesh.vertices) sizes.top = std::max(sizes.top, dot(p, spread.normal));
+    sizes = parts.fold(sizes);
+    spread.wettedExtent = sizes.wetted.largest();
+    spread.liquidExtent = sizes.all.largest();
+    spread.height = sizes.top - sizes.base;
     return spread;
 }
 

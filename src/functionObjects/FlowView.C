@@ -59,23 +59,25 @@ void FlowView::gather()
     isGathered_ = true;
 }
 
-void FlowView::gatherSurface()
+void FlowView::gatherSurface(bool wholeSurface)
 {
     if (!allParticles_) return;
-    if (*allParticles_ <= mostInOnePiece_) gather();
-    else makeSurfaceInParts();
+    if (*allParticles_ > mostInOnePiece_) return makeSurfaceInParts(wholeSurface);
+    gather();
+    if (parts().part() > 0) piece_.emplace();
 }
 
-void FlowView::makeSurfaceInParts()
+void FlowView::makeSurfaceInParts(bool whole)
 {
     std::vector<Position> share(liquid_.owned());
     liquid_.position.download(share.data(), liquid_.owned());
     const auto [cut, own] = mesher().particlesOfLayers(share, liquid_.parts());
     const Buffer<Position> particles(own);
     mesher().build(particles.span(), cut);
-    const MeshOfParts mesh(mesher(), liquid_.units().length, cut);
+    MeshOfParts mesh(mesher(), liquid_.units().length, cut);
     enclosed_ = {mesh.volume(), liquid_.parts().count(mesher().particlesOutside())};
-    surface_ = mesh.whole();
+    if (whole) surface_ = mesh.whole();
+    piece_ = std::move(mesh).piece();
 }
 
 const LiquidState& FlowView::state()
@@ -110,6 +112,11 @@ const TriangleMesh& FlowView::surface()
     return *surface_;
 }
 
+const TriangleMesh& FlowView::surfacePiece()
+{
+    return piece_ ? *piece_ : surface();
+}
+
 double FlowView::surfaceVolume()
 {
     if (enclosed_) return enclosed_->volume;
@@ -129,6 +136,7 @@ void FlowView::moved(double dt)
     state_.reset();
     positions_.reset();
     surface_.reset();
+    piece_.reset();
     surfaceIsDue_ = true;
     enclosed_.reset();
     isGathered_ = false;

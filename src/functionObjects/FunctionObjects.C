@@ -132,12 +132,14 @@ bool FunctionObjects::anyDue(const Time& time, bool (FunctionObject::*looks)() c
 bool FunctionObjects::lookAtDensities(const Time& time) const { return anyDue(time, &FunctionObject::looksAtDensities); }
 bool FunctionObjects::lookAtParticles(const Time& time) const { return anyDue(time, &FunctionObject::looksAtParticles); }
 bool FunctionObjects::lookAtSurface(const Time& time) const { return anyDue(time, &FunctionObject::looksAtSurface); }
+bool FunctionObjects::lookAtWholeSurface(const Time& time) const { return anyDue(time, &FunctionObject::looksAtWholeSurface); }
 
 void FunctionObjects::execute(FlowView& flow)
 {
     for (Entry& entry : entries_)
     {
         if (!entry.executeControl.due(flow.time)) continue;
+        if (flow.parts().part() > 0 && !entry.object->measuresInParts()) continue;
         entry.object->execute(flow);
         entry.unwritten = entry.object->table() != nullptr;
     }

@@ -247,6 +247,7 @@ std::pair<SurfaceCut, std::vector<Position>> LiquidSurface::particlesOfLayers(co
 SurfaceMesh LiquidSurface::download() const
 {
     SurfaceMesh mesh{{}, normals_.download(), triangles_.download()};
+    mesh.vertices.reserve(vertices_.size());
     for (const Position& vertex : vertices_.download())
     {
         const Place at = placeOf(vertex);

@@ -37,9 +37,16 @@ FlowCase::FlowCase
 void FlowCase::step(const std::vector<Vec3>& positions, const std::vector<Vec3>& velocities)
 {
     place(positions, velocities);
+    measure();
+}
+
+void FlowCase::measure()
+{
     time_->advance();
     view_->moved(time_->deltaT());
+    if (functions_->lookAtSurface(*time_)) view_->gatherSurface(functions_->lookAtWholeSurface(*time_));
     functions_->execute(*view_);
+    if (view_->parts().part() > 0) return;
     BackgroundWriter writer;
     functions_->write(*time_, writer);
     writer.finish();

@@ -102,8 +102,8 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         if (time.writeDue()) setup.models->pressure->complete();
         if (isCut && densitiesAreDue) flow.state();
         if (functions.lookAtParticles(time)) flow.gather();
-        if (functions.lookAtSurface(time)) flow.gatherSurface();
-        if (isFirst) functions.execute(flow);
+        if (functions.lookAtSurface(time)) flow.gatherSurface(functions.lookAtWholeSurface(time));
+        functions.execute(flow);
         stopWhereAsked(time, functions, parts);
         if (isFirst && time.reportDue()) reportStep(steps, flow, *setup.outlets, functions);
         writer.write(time, flow, changes, functions);

@@ -54,6 +54,7 @@ public:
 
     bool looksAtDensities() const override { return false; }
     bool looksAtSurface() const override { return true; }
+    bool looksAtWholeSurface() const override { return true; }
     const CsvFile* table() const override { return &table_; }
 
 private:

@@ -44,12 +44,14 @@ public:
         const double mass = flow.particles() * flow.properties().particleMass();
         const double potential = 0 - mass * dot(Vector3(g), Vector3(state.centroid));       // 0, not -0, without gravity
         const double surface = flow.models.forces.active() ? flow.properties().surfaceTension * tensionArea(flow) : 0;
+        if (flow.parts().part() > 0) return;
         table_.addRow
         ({
             flow.time.value(), state.kineticEnergy, potential, surface, state.kineticEnergy + potential + surface
         });
     }
 
+    bool measuresInParts() const override { return true; }
     bool looksAtParticles() const override { return false; }
     bool looksAtSurface() const override { return true; }
     const CsvFile* table() const override { return &table_; }
@@ -58,19 +60,22 @@ private:
     // Free area less the wetted area times cos theta, m2.
     double tensionArea(FlowView& flow) const
     {
-        const TriangleMesh& mesh = flow.surface();
-        const std::vector<WettedSurface::Contact> contacts = wetted_.find(mesh);
         const auto& angles = flow.walls.angles();
-        double area = 0;
-        for (std::size_t f = 0; f < contacts.size(); ++f)
+        Sum area;
+        for (const WettedSurface::Contact& contact : wetted_.find(flow.surfacePiece()))
         {
-            const auto& contact = contacts[f];
-            if (contact.wall < 0) area += contact.area;
-            else if (!angles) return std::numeric_limits<double>::quiet_NaN();
-            else area -= contact.area * std::cos(radians(contact.solid < 0 ? angles->surfaces[contact.wall] : angles->particles[contact.solid]));
+            if (contact.wall < 0) area.value += contact.area;
+            else if (!angles) area.value = std::numeric_limits<double>::quiet_NaN();
+            else area.value -= contact.area * std::cos(radians(contact.solid < 0 ? angles->surfaces[contact.wall] : angles->particles[contact.solid]));
         }
-        return area;
+        return flow.parts().fold(area).value;
     }
+
+    struct Sum
+    {
+        double value = 0;
+        void add(const Sum& other) { value += other.value; }
+    };
 
     WettedSurface wetted_;
     CsvFile table_;

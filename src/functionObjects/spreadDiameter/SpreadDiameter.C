@@ -44,12 +44,13 @@ public:
 
     void execute(FlowView& flow) override
     {
-        const TriangleMesh& mesh = flow.surface();
+        const TriangleMesh& mesh = flow.surfacePiece();
         const auto contacts = surface_.find(mesh);
         for (int wall = 0; wall < int(surface_.walls().size()); ++wall)
         {
             if (!wall_.empty() && surface_.walls()[wall] != wall_) continue;
-            const Spread spread = measureSpread(mesh, contacts, wall);
+            const Spread spread = measureSpread(mesh, contacts, wall, flow.parts());
+            if (flow.parts().part() > 0) continue;
             const Vector3& n = spread.normal;
             table_.addRow
             ({
@@ -59,6 +60,7 @@ public:
         }
     }
 
+    bool measuresInParts() const override { return true; }
     bool looksAtDensities() const override { return false; }
     bool looksAtParticles() const override { return false; }
     bool looksAtSurface() const override { return true; }

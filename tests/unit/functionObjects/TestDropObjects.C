@@ -267,7 +267,7 @@ TEST(FlowView, OfPartsHasTheSurfaceThatOneMakes)
             flow.liquid.ghosts().join(all);
             FlowView& view = flow.view();
             view.cut(nullptr, false, 0);
-            view.gatherSurface();
+            view.gatherSurface(true);
             if (all.part() > 0) return;
             EXPECT_EQ(view.surface().faces, expected.faces) << parts;
             EXPECT_NEAR(view.surfaceVolume(), whole.view().surfaceVolume(), 1e-6*expected.volume()) << parts;
@@ -275,4 +275,38 @@ TEST(FlowView, OfPartsHasTheSurfaceThatOneMakes)
         });
     }
     EXPECT_EQ(whole.view().particlesOutsideSurface(), 1);
+}
+
+// Each part measures its piece, and what they add up is what one process measures: sums of some thousand faces in another order.
+TEST(FlowView, PiecesOfPartsAreMeasuredTogether)
+{
+    const std::string functions = "wet { type spreadDiameter; } e { type energy; }";
+    const std::vector<Vec3> places = halfBall();
+    FlowCase whole(functions, onAPlane, wetting);
+    whole.step(places);
+    for (const int parts : {2, 3})
+    {
+        runParts(parts, [&](const Communicator& all)
+        {
+            const auto [first, end] = shareOf(all, places.size());
+            FlowCase flow(functions, onAPlane, wetting);
+            flow.place({places.begin() + long(first), places.begin() + long(end)});
+            flow.liquid.ghosts().join(all);
+            flow.view().cut(nullptr, false, 0);
+            flow.measure();
+            if (all.part() > 0)
+            {
+                EXPECT_EQ(flow.table("wet/0/spreadDiameter.csv"), "");
+                return;
+            }
+            for (const char* const column : {"wettedArea", "wettedDiameter", "wettedExtent", "liquidExtent", "height"})
+            {
+                const double expected = whole.value("wet/0/spreadDiameter.csv", column);
+                EXPECT_NEAR(flow.value("wet/0/spreadDiameter.csv", column), expected, 1e-6*expected) << column << ' ' << parts;
+            }
+            const double surface = whole.value("e/0/energy.csv", "surface");
+            EXPECT_GT(surface, 0);
+            EXPECT_NEAR(flow.value("e/0/energy.csv", "surface"), surface, 1e-6*surface) << parts;
+        });
+    }
 }
