@@ -122,6 +122,19 @@ void addReferences(Parts& parts, const SpeedAccuracy& chart)
     parts.plots.push_back("$references using 1:2:3 with labels right offset 1,-1 font \",8\" notitle");
 }
 
+// Where an axis has hardly a decade: 1, 2 and 5 of each that it touches, in place of its powers of ten.
+std::string ticsOf(const char* axis, double low, double high)
+{
+    constexpr double few = 30;
+    if (high/low > few) return {};
+    std::ostringstream tics;
+    for (int decade = int(std::floor(std::log10(low))); decade <= int(std::floor(std::log10(high))); ++decade)
+    {
+        for (const int digit : {1, 2, 5}) tics << (tics.tellp() > 0 ? ", " : "") << digit << 'e' << decade;
+    }
+    return std::string("set ") + axis + "tics (" + tics.str() + ")\n";
+}
+
 // As wide as what is drawn, and a bit.
 std::string rangesOf(const SpeedAccuracy& chart, const std::vector<SpeedAccuracyPoint>& points)
 {
@@ -140,7 +153,8 @@ std::string rangesOf(const SpeedAccuracy& chart, const std::vector<SpeedAccuracy
     std::ostringstream text;
     const auto range = [&](const char* axis, const std::vector<double>& values)
     {
-        text << "set " << axis << "range [" << std::ranges::min(values)/margin << ':' << std::ranges::max(values)*margin << "]\n";
+        const double low = std::ranges::min(values)/margin, high = std::ranges::max(values)*margin;
+        text << "set " << axis << "range [" << low << ':' << high << "]\n" << ticsOf(axis, low, high);
     };
     range("x", costs);
     range("y", errors);
