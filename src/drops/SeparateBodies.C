@@ -20,17 +20,29 @@ constexpr double coarse = 5;                // spacings a radius
 constexpr double thin = 3;                  // spacings
 constexpr std::size_t mostWarnings = 10;
 
-std::string warningOf(const SeparateBody& body, double spacing)
+double radiusOf(const SeparateBody& body, double spacing) { return body.diameter()/(2*spacing); }
+
+bool isCoarse(const SeparateBody& body, double spacing) { return radiusOf(body, spacing) < coarse; }
+
+// others: how many smaller bodies there are.
+std::string coarseWarning(const SeparateBody& body, double spacing, std::size_t others)
+{
+    std::ostringstream text;
+    text << "is coarse, " << radiusOf(body, spacing) << " spacings a radius, less than " << coarse;
+    if (others == 1) text << ", as is the smaller one";
+    if (others > 1) text << ", as are the " << others << " smaller ones";
+    text << ": contact angles of such drops are 4 degrees off at 300 particles, 28 at 50";
+    return text.str();
+}
+
+// Empty where it is as thick as it should be.
+std::string thinWarning(const SeparateBody& body, double spacing)
 {
     const Vector3 size = body.size();
-    const double thickness = std::min({size.x, size.y, size.z})/spacing, radius = body.diameter()/(2*spacing);
+    const double thickness = std::min({size.x, size.y, size.z})/spacing;
+    if (thickness >= thin) return {};
     std::ostringstream text;
-    if (radius < coarse)
-    {
-        text << "is coarse, " << radius << " spacings a radius, less than " << coarse
-             << ": contact angles of such drops are 4 degrees off at 300 particles, 28 at 50";
-    }
-    else if (thickness < thin) text << "is thin, " << thickness << " spacings, less than " << thin << ": a film is not resolved";
+    text << "is thin, " << thickness << " spacings, less than " << thin << ": a film is not resolved";
     return text.str();
 }
 
@@ -78,7 +90,8 @@ std::vector<std::string> resolutionWarnings(const std::vector<SeparateBody>& bod
     std::vector<std::string> warnings;
     for (std::size_t i = 0; i < bodies.size() && warnings.size() < mostWarnings; ++i)
     {
-        const std::string warning = warningOf(bodies[i], spacing);
+        const bool areCoarse = isCoarse(bodies[i], spacing);            // this one and all that follow, which are smaller
+        const std::string warning = areCoarse ? coarseWarning(bodies[i], spacing, bodies.size() - i - 1) : thinWarning(bodies[i], spacing);
         if (warning.empty()) continue;
         warnings.push_back
         (
@@ -86,6 +99,7 @@ std::vector<std::string> resolutionWarnings(const std::vector<SeparateBody>& bod
           + std::to_string(bodies[i].particles.size()) + " particles, " + warning
           + "; a smaller spacing in system/solution resolves it"
         );
+        if (areCoarse) break;
     }
     return warnings;
 }

@@ -92,7 +92,7 @@ TEST_P(CheckCase, SeparateBodiesAreTold)
     const Outcome outcome = check();
     EXPECT_EQ(outcome.status, 0) << outcome.text;
     EXPECT_TRUE(holds(outcome.text, {"Liquid: 321 particles", "separate bodies 2", "Body 2: 27 particles", "(3 3 3) spacings",
-        "mean velocity (0 0 1) m/s", "*Warning: body 2 of 2, 27 particles, is coarse"}));
+        "mean velocity (0 0 1) m/s", "*Warning: body 1 of 2, 294 particles, is coarse, 4.12496 spacings a radius, less than 5, as is the smaller one:"}));
 }
 
 TEST_P(CheckCase, AllErrorsAreReportedAtOnce)

@@ -110,11 +110,14 @@ TEST(SeparateBodies, SayWhatIsResolvedBadly)
     for (int i = 0; i < 30*30*2; ++i) positions.push_back({double(i % 30), double(i/30 % 30), i/900 + 100.0});
     addCube(positions, 9, {0, 0, 0});       // (3*729/(4 pi))^(1/3) = 5.58 spacings a radius: resolved
     addCube(positions, 3, {50, 0, 0});      // 1.86
+    addCube(positions, 2, {70, 0, 0});
+    addCube(positions, 2, {90, 0, 0});
     const std::vector<Vector3> velocities(positions.size());
     const auto warnings = resolutionWarnings(separateBodies(positions, velocities, 1), 1);
-    ASSERT_EQ(warnings.size(), 2u);
-    EXPECT_NE(warnings[0].find("body 1 of 3, 1800 particles, is thin, 2 spacings"), std::string::npos) << warnings[0];
-    EXPECT_NE(warnings[1].find("body 3 of 3, 27 particles, is coarse, 1.86"), std::string::npos) << warnings[1];
+    ASSERT_EQ(warnings.size(), 2u);         // one for all that are coarse
+    EXPECT_NE(warnings[1].find("less than 5, as are the 2 smaller ones: contact angles"), std::string::npos) << warnings[1];
+    EXPECT_NE(warnings[0].find("body 1 of 5, 1800 particles, is thin, 2 spacings"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[1].find("body 3 of 5, 27 particles, is coarse, 1.86"), std::string::npos) << warnings[1];
 }
 
 // A puddle's height 2 l sin(theta/2): l at 60 degrees, 2 l at 180.
