@@ -10,6 +10,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     caseFiles/UnitVector.C
     caseFiles/WallPlane.C
     caseFiles/WallShape.C
+    drops/BodySizes.C
     drops/ContactAngle.C
     drops/DropMeasurement.C
     drops/DropNumbers.C

@@ -15,7 +15,6 @@ namespace shizuku
 namespace
 {
 
-constexpr double reach = 1.5;               // spacings between particles of one body
 constexpr double coarse = 5;                // spacings a radius
 constexpr double thin = 3;                  // spacings
 constexpr std::size_t mostWarnings = 10;
@@ -48,7 +47,7 @@ std::string thinWarning(const SeparateBody& body, double spacing)
 
 }
 
-double SeparateBody::diameter() const { return std::cbrt(6*volume/std::numbers::pi); }
+double diameterOf(double volume) { return std::cbrt(6*volume/std::numbers::pi); }
 
 std::vector<SeparateBody> separateBodies
 (
@@ -57,7 +56,7 @@ std::vector<SeparateBody> separateBodies
 {
     const Vector3 half = 0.5*Vector3(spacing, spacing, spacing);
     std::vector<SeparateBody> bodies;
-    for (const std::vector<int>& group : connectedPoints(positions, reach*spacing))
+    for (const std::vector<int>& group : connectedPoints(positions, bodyReach*spacing))
     {
         SeparateBody body;
         body.particles = group;

@@ -93,6 +93,13 @@ const std::vector<Vector3>& FlowView::positions()
     return *positions_;
 }
 
+const std::vector<Vector3>& FlowView::positionsOfPart()
+{
+    if (parts().parts() == 1) return positions();
+    if (!positionsOfPart_) positionsOfPart_ = liquid_.positions();
+    return *positionsOfPart_;
+}
+
 LiquidSurface& FlowView::mesher()
 {
     if (!mesher_) mesher_.emplace(readSurfaceParameters(time.casePath(), liquid_.spacing()));
@@ -135,6 +142,7 @@ void FlowView::moved(double dt)
     densityIsDue_ = true;
     state_.reset();
     positions_.reset();
+    positionsOfPart_.reset();
     surface_.reset();
     piece_.reset();
     surfaceIsDue_ = true;

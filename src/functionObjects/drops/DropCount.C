@@ -8,6 +8,7 @@
 // these diameters drops are counted, in columns of their own. What has left the largest body, and particles that are alone, are counted too; the log tells them.
 
 #include "core/fieldFile/CsvFile.H"
+#include "drops/BodySizes.H"
 #include "drops/SeparateBodies.H"
 #include "functionObjects/FunctionObject.H"
 
@@ -21,7 +22,7 @@ namespace shizuku
 namespace
 {
 
-constexpr std::size_t leastParticles = 20;      // of a drop, as probeAngle has it
+constexpr int leastParticles = 20;              // of a drop, as probeAngle has it
 
 class DropCount : public FunctionObject
 {
@@ -37,26 +38,26 @@ public:
 
     void execute(FlowView& flow) override
     {
-        const std::vector<Vector3>& positions = flow.positions();
-        const double spacing = flow.properties().spacing;
+        const std::vector<int> sizes = bodySizes(flow.positionsOfPart(), flow.properties().spacing, flow.parts());
+        if (flow.parts().part() > 0) return;
         std::vector<double> diameters, volumes;             // the largest first
-        double all = 0, sum = 0, spray = 0, sprayParticles = 0, alone = 0, largest = 0;
-        for (const SeparateBody& body : separateBodies(positions, std::vector<Vector3>(positions.size()), spacing))
+        double all = 0, sum = 0, spray = 0, sprayParticles = 0, alone = 0;
+        for (const int particles : sizes)
         {
-            largest = std::max(largest, double(body.particles.size()));
-            if (body.particles.size() < leastParticles)
+            const double volume = particles*flow.properties().particleVolume();
+            if (particles < leastParticles)
             {
-                spray += body.volume;
-                sprayParticles += double(body.particles.size());
-                if (body.particles.size() == 1) ++alone;
+                spray += volume;
+                sprayParticles += particles;
+                if (particles == 1) ++alone;
                 continue;
             }
-            diameters.push_back(body.diameter());
-            volumes.push_back(body.volume);
+            diameters.push_back(diameterOf(volume));
+            volumes.push_back(volume);
             all += volumes.back();
             sum += diameters.back();
         }
-        const double number = double(diameters.size()), off = double(positions.size()) - largest;
+        const double number = double(diameters.size()), off = flow.particles() - (sizes.empty() ? 0.0 : double(sizes.front()));
         std::vector<CsvFile::Cell> row
         {
             flow.time.value(), number, number > 0 ? sum / number : 0.0, halfVolume(diameters, volumes, all), number > 0 ? diameters.front() : 0.0, spray,
@@ -74,7 +75,9 @@ public:
         report_ = text.str();
     }
 
+    bool measuresInParts() const override { return true; }
     bool looksAtDensities() const override { return false; }
+    bool looksAtParticles() const override { return false; }
     const CsvFile* table() const override { return &table_; }
     std::string report() const override { return report_; }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "functionObjects/FunctionObjects.H"
 
+#include "parallel/AllParts.H"
+#include "parallel/PartsOfProcess.H"
 #include "support/FlowCase.H"
 
 #include <cmath>
@@ -53,6 +55,43 @@ TEST(FunctionObjects, DropsAreCountedAndSized)
     const auto make = [](const std::string& classes) { FlowCase bad("sizes { type drops; classes " + classes + "; }"); };
     EXPECT_TRUE(holds(messageOf([&] { make("(1e-3 1e-3)"); }), {"ascending"}));
     EXPECT_TRUE(holds(messageOf([&] { make("(-1 1)"); }), {"ascending"}));
+}
+
+// Bodies that lie in several parts, in whatever way their particles are dealt out, are counted once: the table to the byte.
+TEST(FunctionObjects, DropsOfPartsAreThoseOfOne)
+{
+    const std::string functions = "sizes { type drops; classes (0 4e-3 5e-3 1e-2); }", table = "sizes/0/drops.csv";
+    std::vector<Vec3> places;
+    for (const Vec3& centre : {Vec3{0, 0, 0}, Vec3{10, 0, 0}, Vec3{0, 9, 0}, Vec3{20, 20, 20}})
+    {
+        for (const Vec3& place : latticeBall(2.2f, centre)) places.push_back(place);
+    }
+    for (int k = 0; k < 30; ++k) places.push_back({scalar(k), -10, 0});         // a thread through all
+    places.push_back({0, 30, 0});
+    FlowCase whole(functions);
+    whole.step(places);
+    for (const bool inTurn : {true, false})
+    {
+        for (const int parts : {2, 3, 5})
+        {
+            runParts(parts, [&](const Communicator& all)
+            {
+                std::vector<Vec3> own;
+                const auto [first, end] = shareOf(all, places.size());
+                for (std::size_t k = 0; k < places.size(); ++k)
+                {
+                    if (inTurn ? int(k) % parts == all.part() : k >= first && k < end) own.push_back(places[k]);
+                }
+                FlowCase flow(functions);
+                flow.place(own);
+                flow.liquid.ghosts().join(all);
+                flow.view().cut(nullptr, false);
+                flow.measure();
+                EXPECT_EQ(flow.table(table), all.part() == 0 ? whole.table(table) : "") << parts << ' ' << inTurn;
+            });
+        }
+    }
+    EXPECT_EQ(whole.value(table, "drops"), 5);
 }
 
 TEST(FunctionObjects, OutflowWantsAnOutlet)

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drops/BodySizes.H"
+
+#include "drops/SeparateBodies.H"
+#include "meshes/Bounds.H"
+#include "meshes/ConnectedPoints.H"
+#include "parallel/AllParts.H"
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace shizuku
+{
+
+namespace
+{
+
+// A particle, and the piece of a body that it is in: of all parts, numbered from the first part's first.
+struct PieceParticle
+{
+    Vector3 position;
+    int piece;
+};
+
+// Two pieces of one body.
+struct Joint
+{
+    int piece, other;
+};
+
+class Pieces
+{
+public:
+    Pieces(const std::vector<Vector3>& positions, double spacing, const Communicator& parts) : reach_(bodyReach*spacing), parts_(parts), particles_(positions.size())
+    {
+        const std::vector<std::vector<int>> groups = connectedPoints(positions, reach_);
+        const std::vector<int> counts = parts.gather(int(groups.size()));
+        int piece = std::accumulate(counts.begin(), counts.begin() + parts.part(), 0);
+        for (const std::vector<int>& group : groups)
+        {
+            for (const int i : group) particles_[i] = {positions[i], piece};
+            sizes_.push_back(int(group.size()));
+            ++piece;
+        }
+    }
+
+    const std::vector<int>& sizes() const { return sizes_; }
+
+    // Those that this part's pieces have with pieces of parts behind it.
+    std::vector<Joint> joints() const
+    {
+        std::vector<Vector3> own;
+        for (const PieceParticle& particle : particles_) own.push_back(particle.position);
+        const std::vector<Bounds> boxes = parts_.gather(boundsOf(own));
+        std::vector<Bytes> to(parts_.parts());
+        for (int k = 0; k < parts_.part(); ++k) to[k] = bytesOf(near(boxes[k]));
+        const std::vector<Bytes> from = parts_.exchange(std::move(to));
+        std::vector<Joint> joints;
+        for (int k = parts_.part() + 1; k < parts_.parts(); ++k)
+        {
+            std::vector<PieceParticle> both = near(boxes[k]);
+            const std::size_t mine = both.size();
+            appendTo(both, from[k]);
+            join(both, mine, joints);
+        }
+        return joints;
+    }
+
+private:
+    // Those as near to a box as particles of a body are to each other.
+    std::vector<PieceParticle> near(const Bounds& box) const
+    {
+        std::vector<PieceParticle> some;
+        for (const PieceParticle& particle : particles_)
+        {
+            const Vector3& x = particle.position;
+            bool is = true;
+            for (int c = 0; c < 3; ++c) is = is && x[c] >= box.low[c] - reach_ && x[c] <= box.high[c] + reach_;
+            if (is) some.push_back(particle);
+        }
+        return some;
+    }
+
+    // The first `mine` are this part's.
+    void join(const std::vector<PieceParticle>& both, std::size_t mine, std::vector<Joint>& joints) const
+    {
+        if (mine == 0 || mine == both.size()) return;
+        std::vector<Vector3> positions;
+        for (const PieceParticle& particle : both) positions.push_back(particle.position);
+        for (const std::vector<int>& group : connectedPoints(positions, reach_))
+        {
+            const int piece = both[group.front()].piece;
+            for (const int i : group)
+            {
+                if (both[i].piece != piece) joints.push_back({piece, both[i].piece});
+            }
+        }
+    }
+
+    double reach_;
+    const Communicator& parts_;
+    std::vector<PieceParticle> particles_;
+    std::vector<int> sizes_;            // of the pieces, in particles
+};
+
+}
+
+std::vector<int> bodySizes(const std::vector<Vector3>& positions, double spacing, const Communicator& parts)
+{
+    const Pieces own(positions, spacing, parts);
+    const std::vector<Joint> joints = gatherListsAtFirst(parts, own.joints());
+    const std::vector<int> pieces = gatherListsAtFirst(parts, own.sizes());
+    boost::disjoint_sets_with_storage<> sets(pieces.size());
+    for (const Joint& joint : joints) sets.union_set(joint.piece, joint.other);
+    std::vector<int> sizes(pieces.size(), 0);
+    for (std::size_t k = 0; k < pieces.size(); ++k) sizes[sets.find_set(k)] += pieces[k];
+    std::erase(sizes, 0);
+    std::sort(sizes.begin(), sizes.end(), std::greater<int>());
+    return sizes;
+}
+
+}
