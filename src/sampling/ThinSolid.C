@@ -31,7 +31,7 @@ void forEachBackedPlace(const SurfaceGeometry& surface, const SurfaceDistance& d
     constexpr double sameCosine = 0.996;        // of five degrees
     PointGrid seen(same*spacing);
     std::vector<const Vector3*> normals;
-    surface.searchPieces(resolution*spacing, [&](const SurfacePoint& place, double radius)
+    for (const SurfacePiece& piece : surface.pieces(8*spacing)) searchPiece(piece, resolution*spacing, [&](const SurfacePoint& place, double radius)
     {
         if (radius > resolution*spacing) return true;
         const Vector3& normal = surface.faceNormal(place.face);
