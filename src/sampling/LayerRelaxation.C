@@ -12,11 +12,10 @@ namespace
 {
 
 constexpr double reach = 1.6;           // of the repulsion, in spacings: between the first and the second neighbours
-constexpr double listReach = 2;         // of the lists of neighbours, in spacings
+constexpr double listReach = 2;         // of the lists of neighbours, in spacings; sharp edges are seen from this far too
 constexpr int listedFor = 10;           // iterations; who comes nearer in between is missed until the next list
 constexpr double stiffness = 0.35;      // step over repulsion, in spacings
 constexpr double longestStep = 0.15;    // in spacings
-constexpr double wideReach = 2;         // in spacings; sharp edges are seen from this far
 constexpr double smoothCosine = 0.866;  // normals that deviate by more than 30 degrees tell of a sharp edge
 
 // Who is near each of some particles: of those that a thread works on together.
@@ -27,11 +26,51 @@ struct Neighbours
     std::vector<int> index;
 };
 
-std::vector<Neighbours> listNeighbours(const ParticleLayer& layer, const std::vector<std::size_t>& ofWhom)
+// Some particles of a layer in a grid, which knows them by their order.
+struct GridOfSome
+{
+    std::vector<std::size_t> particles;
+    PointGrid grid;
+};
+
+// Whether each particle of the layer is one of the free ones, or within `reach` [m] of one.
+std::vector<char> aroundFree(const ParticleLayer& layer, const std::vector<std::size_t>& free, double reach)
+{
+    const std::vector<LayerParticle>& all = layer.particles();
+    std::vector<char> around(all.size(), 1);
+    if (free.size() == all.size()) return around;
+    PointGrid grid(reach);
+    for (const std::size_t i : free) grid.insert(all[i].position);
+    forEachInParallel(all.size(), [&](std::size_t i) { around[i] = !all[i].fixed || grid.anyWithin(all[i].position, (1 + 1e-9)*reach); });
+    return around;
+}
+
+GridOfSome gridAroundFree(const ParticleLayer& layer, const std::vector<std::size_t>& free, double reach)
+{
+    const std::vector<char> around = aroundFree(layer, free, reach);
+    GridOfSome some{{}, PointGrid(reach)};
+    for (std::size_t i = 0; i < around.size(); ++i)
+    {
+        if (!around[i]) continue;
+        some.particles.push_back(i);
+        some.grid.insert(layer.particles()[i].position);
+    }
+    return some;
+}
+
+std::vector<std::size_t> freeOnes(const ParticleLayer& layer)
+{
+    std::vector<std::size_t> free;
+    for (std::size_t i = 0; i < layer.particles().size(); ++i)
+    {
+        if (!layer.particles()[i].fixed) free.push_back(i);
+    }
+    return free;
+}
+
+std::vector<Neighbours> listNeighbours(const ParticleLayer& layer, const std::vector<std::size_t>& ofWhom, const GridOfSome& near)
 {
     constexpr std::size_t together = 1000;
-    const double reach = listReach*layer.spacing();
-    const PointGrid grid = layer.grid(reach);
     std::vector<Neighbours> lists((ofWhom.size() + together - 1)/together);
     forEachPart(lists.size(), [&](std::size_t part)
     {
@@ -44,9 +83,9 @@ std::vector<Neighbours> listNeighbours(const ParticleLayer& layer, const std::ve
         {
             const std::size_t i = ofWhom[f];
             list.first.push_back(list.index.size());
-            grid.forEachWithin(layer.particles()[i].position, reach, [&](int j, double)
+            near.grid.forEachWithin(layer.particles()[i].position, listReach*layer.spacing(), [&](int j, double)
             {
-                if (std::size_t(j) != i) list.index.push_back(j);
+                if (near.particles[j] != i) list.index.push_back(int(near.particles[j]));
             });
         }
         list.first.push_back(list.index.size());
@@ -55,12 +94,12 @@ std::vector<Neighbours> listNeighbours(const ParticleLayer& layer, const std::ve
 }
 
 // The least cosine between a particle's normal and those of the particles around it.
-double leastCosine(const ParticleLayer& layer, const PointGrid& grid, const LayerParticle& particle)
+double leastCosine(const ParticleLayer& layer, const GridOfSome& near, const LayerParticle& particle)
 {
     double least = 1;
-    grid.forEachWithin(particle.position, wideReach*layer.spacing(), [&](int j, double)
+    near.grid.forEachWithin(particle.position, listReach*layer.spacing(), [&](int j, double)
     {
-        least = std::min(least, dot(particle.normal, layer.particles()[j].normal));
+        least = std::min(least, dot(particle.normal, layer.particles()[near.particles[j]].normal));
     });
     return least;
 }
@@ -90,25 +129,23 @@ void relax(ParticleLayer& layer, int iterations, const std::function<void(double
     const double spacing = layer.spacing(), radius = reach*spacing;
     std::vector<LayerParticle>& particles = layer.particles();
 
-    std::vector<std::size_t> free;
-    for (std::size_t i = 0; i < particles.size(); ++i)
-    {
-        if (!particles[i].fixed) free.push_back(i);
-    }
+    const std::vector<std::size_t> free = freeOnes(layer);
     if (free.empty()) return;
 
+    GridOfSome near = gridAroundFree(layer, free, listReach*spacing);
     std::vector<char> nearEdge(free.size());
-    {
-        const PointGrid grid = layer.grid(wideReach*spacing);
-        forEachInParallel(free.size(), [&](std::size_t f) { nearEdge[f] = leastCosine(layer, grid, particles[free[f]]) < smoothCosine; });
-    }
+    forEachInParallel(free.size(), [&](std::size_t f) { nearEdge[f] = leastCosine(layer, near, particles[free[f]]) < smoothCosine; });
 
     std::vector<Vector3> position(particles.size()), step(free.size());     // position: close together in memory
     for (std::size_t i = 0; i < particles.size(); ++i) position[i] = particles[i].position;
     std::vector<Neighbours> lists;
     for (int iteration = 0; iteration < iterations; ++iteration)
     {
-        if (iteration % listedFor == 0) lists = listNeighbours(layer, free);
+        if (iteration % listedFor == 0)
+        {
+            if (iteration > 0) near = gridAroundFree(layer, free, listReach*spacing);
+            lists = listNeighbours(layer, free, near);
+        }
         forEachPart(lists.size(), [&](std::size_t part)
         {
             const Neighbours& list = lists[part];
@@ -141,17 +178,24 @@ void relax(ParticleLayer& layer, int iterations, const std::function<void(double
 
 void thinOut(ParticleLayer& layer, double gap)
 {
+    // Fixed ones stay, and matter where free ones are near.
     std::vector<LayerParticle>& particles = layer.particles();
     std::stable_partition(particles.begin(), particles.end(), [](const LayerParticle& p) { return p.fixed; });
-    std::vector<LayerParticle> kept;
+    const std::vector<std::size_t> free = freeOnes(layer);
     PointGrid grid(gap);
-    for (const LayerParticle& particle : particles)
+    const std::vector<char> around = aroundFree(layer, free, gap);
+    for (std::size_t i = 0; i < particles.size(); ++i)
     {
-        if (!particle.fixed && grid.anyWithin(particle.position, gap)) continue;
-        grid.insert(particle.position);
-        kept.push_back(particle);
+        if (around[i] && particles[i].fixed) grid.insert(particles[i].position);
     }
-    particles = std::move(kept);
+    std::size_t kept = particles.size() - free.size();
+    for (const std::size_t i : free)
+    {
+        if (grid.anyWithin(particles[i].position, gap)) continue;
+        grid.insert(particles[i].position);
+        particles[kept++] = particles[i];
+    }
+    particles.resize(kept);
 }
 
 void fillHoles(ParticleLayer& layer, double hole, double cover)

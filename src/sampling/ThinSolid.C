@@ -56,7 +56,7 @@ void forEachBackedPlace(const SurfaceGeometry& surface, const SurfaceDistance& d
     constexpr double sameCosine = 0.996;        // of five degrees
     constexpr double size = 8;                  // spacings
     constexpr std::size_t together = 1 << 13;   // pieces of that size, whose places are in memory
-    PointGrid seen(2*same*spacing);
+    PointGrid seen(4*same*spacing);
     std::vector<const Vector3*> normals;
     const auto isNew = [&](const SurfacePoint& place)
     {
