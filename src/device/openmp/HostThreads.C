@@ -9,6 +9,7 @@ namespace shizuku
 void forEachPart(std::size_t parts, const std::function<void(std::size_t)>& work)
 {
     std::exception_ptr failure;
+    std::size_t failed = parts;             // the first part that failed
     #pragma omp parallel for schedule(dynamic)
     for (std::size_t part = 0; part < parts; ++part)
     {
@@ -19,7 +20,11 @@ void forEachPart(std::size_t parts, const std::function<void(std::size_t)>& work
         catch (...)
         {
             #pragma omp critical(failureOfPart)
-            failure = std::current_exception();
+            if (part < failed)
+            {
+                failed = part;
+                failure = std::current_exception();
+            }
         }
     }
     if (failure) std::rethrow_exception(failure);
