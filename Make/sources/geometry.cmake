@@ -10,6 +10,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     caseFiles/UnitVector.C
     caseFiles/WallPlane.C
     caseFiles/WallShape.C
+    device/openmp/HostThreads.C
     drops/BodySizes.C
     drops/ContactAngle.C
     drops/DropMeasurement.C
@@ -76,8 +77,10 @@ set(SHIZUKU_SAMPLING_SOURCES
     sampling/EdgeRows.C
     sampling/LayerQuality.C
     sampling/LayerRelaxation.C
+    sampling/OrderedPlacing.C
     sampling/PlanarLattice.C
     sampling/PoissonDisk.C
+    sampling/RandomPlaces.C
     sampling/ShellUnion.C
     sampling/Slivers.C
     sampling/SurfaceDistance.C

@@ -8,6 +8,7 @@
 #include "caseFiles/CaseGravity.H"
 #include "caseFiles/LiquidFiles.H"
 #include "core/messages/Progress.H"
+#include "device/HostThreads.H"
 #include "liquidBodies/LiquidBody.H"
 #include "liquidBodies/PlaceBalls.H"
 #include "liquidBodies/dropSizes/DropSizes.H"
@@ -133,19 +134,40 @@ public:
     {
         const double quantum = spacing*0x1p-20;         // so that no machine rounds places differently
         const auto rounded = [&](double x) { return std::round(x/quantum)*quantum; };
-        std::vector<Vector3> positions, ofBall;
+        constexpr std::size_t together = 4096;          // drops that threads share
+        std::vector<Vector3> positions;
         positions.reserve(std::size_t(1.01*volume()/(spacing*spacing*spacing)));
         Progress progress("Filling " + std::to_string(balls_.placed()) + " drops");
-        for (std::size_t ball = 0; ball < balls_.placed(); ++ball)
+        for (std::size_t begin = 0, end = 0; begin < balls_.placed(); begin = end)
         {
-            const double radius = balls_.radii()[ball];
-            if (ball == 0 || radius != balls_.radii()[ball - 1]) ofBall = fillLattice(Ball(radius), spacing, where);
-            for (const Vector3& offset : ofBall)
+            end = std::min(balls_.placed(), begin + together);
+            std::vector<std::size_t> first, firstOfBall(1, positions.size());   // balls that differ from those before; particles before each ball
+            for (std::size_t ball = begin; ball < end; ++ball)
             {
-                const Vector3 x = balls_.centres()[ball] + offset;
-                positions.emplace_back(rounded(x.x), rounded(x.y), rounded(x.z));
+                if (ball == begin || balls_.radii()[ball] != balls_.radii()[ball - 1]) first.push_back(ball);
             }
-            progress.update(double(ball + 1)/double(balls_.placed()));
+            std::vector<std::vector<Vector3>> lattices(first.size());
+            forEachInParallel(first.size(), [&](std::size_t i) { lattices[i] = fillLattice(Ball(balls_.radii()[first[i]]), spacing, where); }, 16);
+            first.push_back(end);
+            std::vector<const std::vector<Vector3>*> ofBall;
+            for (std::size_t i = 0; i < lattices.size(); ++i) ofBall.resize(first[i + 1] - begin, &lattices[i]);
+            for (const std::vector<Vector3>* lattice : ofBall) firstOfBall.push_back(firstOfBall.back() + lattice->size());
+            positions.resize(firstOfBall.back());
+            forEachInParallel
+            (
+                ofBall.size(),
+                [&](std::size_t i)
+                {
+                    std::size_t particle = firstOfBall[i];
+                    for (const Vector3& offset : *ofBall[i])
+                    {
+                        const Vector3 x = balls_.centres()[begin + i] + offset;
+                        positions[particle++] = {rounded(x.x), rounded(x.y), rounded(x.z)};
+                    }
+                },
+                16
+            );
+            progress.update(double(end)/double(balls_.placed()));
         }
         return positions;
     }

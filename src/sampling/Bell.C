@@ -3,6 +3,8 @@
 // N. Bell, Y. Yu, P. J. Mucha: Particle-based simulation of granular materials. Symposium on Computer Animation 2005;
 // the repulsion is that of G. Turk: Re-tiling polygonal surfaces. SIGGRAPH 1992.
 
+#include "device/HostThreads.H"
+#include "sampling/RandomPlaces.H"
 #include "sampling/SeedMethod.H"
 
 namespace shizuku
@@ -19,14 +21,21 @@ public:
         const double spacing = layer.spacing();
         const PointGrid lattice = layer.grid(spacing);
         const long points = std::lround(density*latticeDensity(spacing)*layer.surface().area());
-        layer.surface().forEachRandomPoint(points, random, [&](const SurfacePoint& place)
+        RandomPlaces all(layer.surface(), points, random);
+        for (auto places = all.next(); !places.empty(); places = all.next())
         {
-            const LayerParticle particle = layer.particleAt(place);
-            if (!lattice.anyWithin(particle.position, 0.75*spacing) && layer.clear(particle))
+            std::vector<LayerParticle> particles(places.size());
+            std::vector<char> taken(places.size());
+            forEachInParallel(places.size(), [&](std::size_t i)
             {
-                layer.particles().push_back(particle);
+                particles[i] = layer.particleAt(places[i]);
+                taken[i] = !lattice.anyWithin(particles[i].position, 0.75*spacing) && layer.clear(particles[i]);
+            });
+            for (std::size_t i = 0; i < places.size(); ++i)
+            {
+                if (taken[i]) layer.particles().push_back(particles[i]);
             }
-        });
+        }
     }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/PlanarLattice.H"
 
+#include "sampling/OrderedPlacing.H"
+
 #include <algorithm>
 #include <limits>
 
@@ -165,6 +167,7 @@ private:
 
 void addPlanarLattices(ParticleLayer& layer)
 {
+    constexpr std::size_t together = 1 << 17;       // places that threads share
     const SurfaceGeometry& surface = layer.surface();
     const double gap = smallestGap*layer.spacing();
     PointGrid grid = layer.grid(gap);
@@ -172,17 +175,21 @@ void addPlanarLattices(ParticleLayer& layer)
     {
         const PlaneFrame frame(surface, region);
         const Lattice lattice(frame, layer.spacing());
+        std::vector<SurfacePoint> places;
+        const auto addPlaces = [&]
+        {
+            addWhereRoomIs(layer, grid, gap, places, true);
+            places.clear();
+        };
         for (int face : region)
         {
             lattice.forEachPointIn(surface.corners(face), surface.faceNormal(face), [&](const Vector3& x)
             {
-                LayerParticle particle = layer.particleAt({face, x});
-                if (grid.anyWithin(particle.position, gap) || !layer.clear(particle)) return;
-                particle.fixed = true;
-                grid.insert(particle.position);
-                layer.particles().push_back(particle);
+                places.push_back({face, x});
+                if (places.size() == together) addPlaces();
             });
         }
+        addPlaces();
     }
 }
 

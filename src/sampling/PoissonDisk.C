@@ -3,6 +3,8 @@
 // least distance in place, and saturated it has nearly the density of a relaxed one.
 // R. L. Cook: Stochastic sampling in computer graphics. ACM Transactions on Graphics 5, 1986.
 
+#include "sampling/OrderedPlacing.H"
+#include "sampling/RandomPlaces.H"
 #include "sampling/SeedMethod.H"
 
 namespace shizuku
@@ -25,13 +27,8 @@ public:
         const long darts = std::lround(latticeDensity(layer.spacing())*layer.surface().area());
         for (int sweep = 0; sweep < sweeps; ++sweep)
         {
-            layer.surface().forEachRandomPoint(darts, random, [&](const SurfacePoint& place)
-            {
-                const LayerParticle particle = layer.particleAt(place);
-                if (grid.anyWithin(particle.position, gap) || !layer.clear(particle)) return;
-                grid.insert(particle.position);
-                layer.particles().push_back(particle);
-            });
+            RandomPlaces sweepPlaces(layer.surface(), darts, random);
+            for (auto places = sweepPlaces.next(); !places.empty(); places = sweepPlaces.next()) addWhereRoomIs(layer, grid, gap, places, false);
         }
     }
 };

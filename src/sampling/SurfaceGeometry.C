@@ -23,6 +23,43 @@ double angleAt(const std::array<Vector3, 3>& corners, int k)
     return std::atan2(length(cross(a, b)), dot(a, b));
 }
 
+void cutInto(std::vector<SurfacePiece>& pieces, const SurfacePiece& piece, double size)
+{
+    const int longest = piece.longestEdge();
+    if (piece.squaredEdge(longest) <= size*size)
+    {
+        pieces.push_back(piece);
+        return;
+    }
+    for (const SurfacePiece& half : piece.halves(longest)) cutInto(pieces, half, size);
+}
+
+}
+
+std::vector<SurfacePiece> SurfacePiece::cut(double size) const
+{
+    std::vector<SurfacePiece> pieces;
+    cutInto(pieces, *this, size);
+    return pieces;
+}
+
+int SurfacePiece::longestEdge() const
+{
+    int longest = 0;
+    for (int k = 1; k < 3; ++k)
+    {
+        if (squaredEdge(k) > squaredEdge(longest)) longest = k;
+    }
+    return longest;
+}
+
+std::array<SurfacePiece, 2> SurfacePiece::halves(int edge) const
+{
+    const Vector3& a = corners[edge];
+    const Vector3& b = corners[(edge + 1) % 3];
+    const Vector3& c = corners[(edge + 2) % 3];
+    const Vector3 middle = 0.5*(a + b);
+    return {{{face, {a, middle, c}}, {face, {middle, b, c}}}};
 }
 
 SurfaceGeometry::SurfaceGeometry(const PatchedSurface& surface) : surface_(surface)
@@ -116,11 +153,11 @@ Vector3 SurfaceGeometry::normal(const SurfacePoint& point) const
     return normalized(weights[0]*n[0] + weights[1]*n[1] + weights[2]*n[2]);
 }
 
-SurfacePoint SurfaceGeometry::randomPointIn(int face, std::mt19937_64& random) const
+std::vector<SurfacePiece> SurfaceGeometry::pieces(double size) const
 {
-    const auto corner = corners(face);
-    const double a = std::sqrt(uniform(random)), b = uniform(random);
-    return {face, (1 - a)*corner[0] + a*(1 - b)*corner[1] + a*b*corner[2]};
+    std::vector<SurfacePiece> pieces;
+    for (int face = 0; face < faces(); ++face) cutInto(pieces, {face, corners(face)}, size);
+    return pieces;
 }
 
 SurfacePoint SurfaceGeometry::move(SurfacePoint point, const Vector3& displacement) const

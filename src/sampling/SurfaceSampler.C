@@ -23,8 +23,9 @@ namespace
     constexpr double cover = 0.88;          // spacings: where the layer is cut off by edges or shared in a thin plate
     constexpr int rounds = 3;               // of relaxing and thinning out
 
-    // What each phase takes, in seconds for a million particles on a core, measured on a street and on hills; relaxing, of those that are free.
-    constexpr double edges = 3.5, lattices = 1, seeds = 4.5, firstHoles = 6, relaxing = 18, lastHoles = 4.5, quality = 7.5;
+    // What each phase takes, in seconds for a million particles on two cores, measured on a street and on hills; relaxing, of those that are free. Only
+    // their proportions count.
+    constexpr double edges = 1.8, lattices = 0.7, seeds = 2, firstHoles = 3, relaxing = 6, lastHoles = 1.6, quality = 2.4;
     constexpr double others = edges + lattices + seeds + firstHoles + lastHoles + quality;
 
     // Progress of phases that follow each other.

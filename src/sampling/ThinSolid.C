@@ -2,11 +2,13 @@
 #include "sampling/ThinSolid.H"
 
 #include "core/angles/Degrees.H"
+#include "device/HostThreads.H"
 #include "meshes/ConnectedPoints.H"
 #include "meshes/PointGrid.H"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace shizuku
 {
@@ -22,6 +24,29 @@ struct BackedPlace
     double thickness;                           // m
 };
 
+// Places all over some pieces, in their order, as all threads find them.
+std::vector<SurfacePoint> placesOn(std::span<const SurfacePiece> pieces, double resolution)
+{
+    std::vector<std::vector<SurfacePoint>> ofPiece(pieces.size());
+    forEachInParallel
+    (
+        pieces.size(),
+        [&](std::size_t i)
+        {
+            searchPiece(pieces[i], resolution, [&](const SurfacePoint& place, double radius)
+            {
+                if (radius > resolution) return true;
+                ofPiece[i].push_back(place);
+                return false;
+            });
+        },
+        16
+    );
+    std::vector<SurfacePoint> places;
+    for (const std::vector<SurfacePoint>& some : ofPiece) places.insert(places.end(), some.begin(), some.end());
+    return places;
+}
+
 // Calls take(place) for places all over the surface that have another side behind them, nearer than `reach` [m].
 template<class Take>
 void forEachBackedPlace(const SurfaceGeometry& surface, const SurfaceDistance& distance, double spacing, double reach, const Take& take)
@@ -29,21 +54,35 @@ void forEachBackedPlace(const SurfaceGeometry& surface, const SurfaceDistance& d
     constexpr double resolution = 0.6;          // spacings between the places that are looked at
     constexpr double same = 0.3;                // spacings: of many slivers beside each other one is enough
     constexpr double sameCosine = 0.996;        // of five degrees
-    PointGrid seen(same*spacing);
+    constexpr double size = 8;                  // spacings
+    constexpr std::size_t together = 1 << 13;   // pieces of that size, whose places are in memory
+    PointGrid seen(4*same*spacing);
     std::vector<const Vector3*> normals;
-    surface.searchPieces(resolution*spacing, [&](const SurfacePoint& place, double radius)
+    const auto isNew = [&](const SurfacePoint& place)
     {
-        if (radius > resolution*spacing) return true;
         const Vector3& normal = surface.faceNormal(place.face);
         bool known = false;
         seen.forEachWithin(place.position, same*spacing, [&](int i, double) { known |= dot(*normals[i], normal) > sameCosine; });
         if (known) return false;
         seen.insert(place.position);
         normals.push_back(&normal);
-        const auto behind = distance.behind(place.position, -normal, 1e-3*spacing, reach);
-        if (behind) take(BackedPlace{place, normal, surface.faceNormal(behind->face), behind->distance});
-        return false;
-    });
+        return true;
+    };
+    const std::vector<SurfacePiece> pieces = surface.pieces(size*spacing);
+    for (std::size_t begin = 0; begin < pieces.size(); begin += together)
+    {
+        std::vector<SurfacePoint> places = placesOn(std::span(pieces).subspan(begin, std::min(together, pieces.size() - begin)), resolution*spacing);
+        std::erase_if(places, [&](const SurfacePoint& place) { return !isNew(place); });
+        std::vector<std::optional<SurfaceDistance::Hit>> behind(places.size());
+        forEachInParallel(places.size(), [&](std::size_t i)
+        {
+            behind[i] = distance.behind(places[i].position, -surface.faceNormal(places[i].face), 1e-3*spacing, reach);
+        });
+        for (std::size_t i = 0; i < places.size(); ++i)
+        {
+            if (behind[i]) take(BackedPlace{places[i], surface.faceNormal(places[i].face), surface.faceNormal(behind[i]->face), behind[i]->distance});
+        }
+    }
 }
 
 // Of places that belong to one edge or tip: whether it is a tip. Along an edge the sides look across it; round a tip they look everywhere.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshes/PointsInside.H"
 #include "sampling/SeedMethod.H"
+#include "sampling/ThinSolid.H"
 #include "support/Shapes.H"
 #include "unit/sampling/SampledShapes.H"
 
@@ -11,6 +12,9 @@
 #include <numbers>
 #include <numeric>
 #include <tuple>
+#include <vector>
+
+#include <omp.h>
 
 namespace shizuku::test
 {
@@ -27,6 +31,23 @@ double leastGap(const std::vector<Vector3>& points)
         for (std::size_t j = 0; j < i; ++j) least2 = std::min(least2, squaredLength(points[i] - points[j]));
     }
     return std::sqrt(least2);
+}
+
+std::vector<double> numbersOf(const LayerQuality& quality)
+{
+    return
+    {
+        quality.minGap, quality.meanGap, quality.maxGap, quality.largestHole, quality.minVolume, quality.meanVolume, quality.maxVolume,
+        quality.wallDensity, quality.densityVariation
+    };
+}
+
+std::vector<double> numbersOf(const NarrowPlaces& narrow)
+{
+    std::vector<double> numbers;
+    if (narrow.thin) numbers.insert(numbers.end(), {narrow.thin->thickness, narrow.thin->position.x, narrow.thin->position.y, narrow.thin->position.z});
+    if (narrow.sharp) numbers.insert(numbers.end(), {narrow.sharp->angle, narrow.sharp->position.x, narrow.sharp->position.y, narrow.sharp->position.z});
+    return numbers;
 }
 
 TEST(Sampling, PlaneGetsALatticeHalfASpacingBelow)
@@ -156,6 +177,33 @@ TEST(Sampling, SameInputGivesTheSameParticles)
 {
     const PatchedSurface ball = sphere(6, 3);
     EXPECT_EQ(sample(ball).particles.positions, sample(ball).particles.positions);
+}
+
+TEST(Sampling, AnyNumberOfThreadsGivesTheSameParticles)
+{
+    struct Case
+    {
+        PatchedSurface surface;
+        std::string method;
+    };
+    const int threads = omp_get_max_threads();
+    for (const Case& it : {Case{sphere(12, 3), "poissonDisk"}, Case{sphere(8, 3), "bell"}, Case{wedge(60), "poissonDisk"}, Case{cone(60), "poissonDisk"}, Case{rectangle(60, 45), "bell"}})
+    {
+        omp_set_num_threads(1);
+        const SampledSurface one = sample(it.surface, it.method);
+        const NarrowPlaces narrow = findNarrowPlaces(it.surface, 1);
+        for (const int several : {2, 5})
+        {
+            omp_set_num_threads(several);
+            const SampledSurface same = sample(it.surface, it.method);
+            EXPECT_EQ(same.particles.positions, one.particles.positions);
+            EXPECT_EQ(same.particles.normals, one.particles.normals);
+            EXPECT_EQ(same.particles.patch, one.particles.patch);
+            EXPECT_EQ(numbersOf(same.quality), numbersOf(one.quality));
+            EXPECT_EQ(numbersOf(findNarrowPlaces(it.surface, 1)), numbersOf(narrow));
+        }
+    }
+    omp_set_num_threads(threads);
 }
 
 TEST(Sampling, PatchesAreKept)
