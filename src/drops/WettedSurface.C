@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drops/WettedSurface.H"
 
+#include "device/HostThreads.H"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -131,13 +133,13 @@ WettedSurface::WettedSurface(const std::filesystem::path& casePath, double spaci
 
 std::vector<WettedSurface::Contact> WettedSurface::find(const TriangleMesh& mesh) const
 {
-    std::vector<Contact> contacts;
-    contacts.reserve(mesh.faces.size());
-    for (const auto& [i, j, k] : mesh.faces)
+    std::vector<Contact> contacts(mesh.faces.size());
+    forEachInParallel(contacts.size(), [&](std::size_t f)
     {
+        const auto& [i, j, k] = mesh.faces[f];
         const Vector3 &a = mesh.vertices[i], &b = mesh.vertices[j], &c = mesh.vertices[k];
-        contacts.push_back(contactOf((a + b + c)/3, 0.5*cross(b - a, c - a)));
-    }
+        contacts[f] = contactOf((a + b + c)/3, 0.5*cross(b - a, c - a));
+    });
     return contacts;
 }
 
