@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <utility>
 
 namespace shizuku
 {
@@ -24,29 +24,6 @@ struct BackedPlace
     double thickness;                           // m
 };
 
-// Places all over some pieces, in their order, as all threads find them.
-std::vector<SurfacePoint> placesOn(std::span<const SurfacePiece> pieces, double resolution)
-{
-    std::vector<std::vector<SurfacePoint>> ofPiece(pieces.size());
-    forEachInParallel
-    (
-        pieces.size(),
-        [&](std::size_t i)
-        {
-            searchPiece(pieces[i], resolution, [&](const SurfacePoint& place, double radius)
-            {
-                if (radius > resolution) return true;
-                ofPiece[i].push_back(place);
-                return false;
-            });
-        },
-        16
-    );
-    std::vector<SurfacePoint> places;
-    for (const std::vector<SurfacePoint>& some : ofPiece) places.insert(places.end(), some.begin(), some.end());
-    return places;
-}
-
 // Calls take(place) for places all over the surface that have another side behind them, nearer than `reach` [m].
 template<class Take>
 void forEachBackedPlace(const SurfaceGeometry& surface, const SurfaceDistance& distance, double spacing, double reach, const Take& take)
@@ -55,33 +32,74 @@ void forEachBackedPlace(const SurfaceGeometry& surface, const SurfaceDistance& d
     constexpr double same = 0.3;                // spacings: of many slivers beside each other one is enough
     constexpr double sameCosine = 0.996;        // of five degrees
     constexpr double size = 8;                  // spacings
-    constexpr std::size_t together = 1 << 13;   // pieces of that size, whose places are in memory
+    constexpr std::size_t share = 16, together = 128*share;     // pieces of that size: of a thread at a time, of a batch
+
+    const std::vector<SurfacePiece> pieces = surface.pieces(size*spacing);
+    const auto placesOf = [&](std::size_t begin)
+    {
+        std::vector<SurfacePoint> places;
+        for (std::size_t i = begin; i < std::min(begin + share, pieces.size()); ++i)
+        {
+            searchPiece(pieces[i], resolution*spacing, [&](const SurfacePoint& place, double radius)
+            {
+                if (radius > resolution*spacing) return true;
+                places.push_back(place);
+                return false;
+            });
+        }
+        return places;
+    };
+
     PointGrid seen(4*same*spacing);
     std::vector<const Vector3*> normals;
-    const auto isNew = [&](const SurfacePoint& place)
+    const auto isSeen = [&](const SurfacePoint& place)
     {
         const Vector3& normal = surface.faceNormal(place.face);
         bool known = false;
         seen.forEachWithin(place.position, same*spacing, [&](int i, double) { known |= dot(*normals[i], normal) > sameCosine; });
-        if (known) return false;
+        if (known) return true;
         seen.insert(place.position);
         normals.push_back(&normal);
-        return true;
+        return false;
     };
-    const std::vector<SurfacePiece> pieces = surface.pieces(size*spacing);
-    for (std::size_t begin = 0; begin < pieces.size(); begin += together)
+
+    const auto backed = [&](const std::vector<SurfacePoint>& places)
     {
-        std::vector<SurfacePoint> places = placesOn(std::span(pieces).subspan(begin, std::min(together, pieces.size() - begin)), resolution*spacing);
-        std::erase_if(places, [&](const SurfacePoint& place) { return !isNew(place); });
-        std::vector<std::optional<SurfaceDistance::Hit>> behind(places.size());
-        forEachInParallel(places.size(), [&](std::size_t i)
+        std::vector<BackedPlace> found;
+        for (const SurfacePoint& place : places)
         {
-            behind[i] = distance.behind(places[i].position, -surface.faceNormal(places[i].face), 1e-3*spacing, reach);
-        });
-        for (std::size_t i = 0; i < places.size(); ++i)
-        {
-            if (behind[i]) take(BackedPlace{places[i], surface.faceNormal(places[i].face), surface.faceNormal(behind[i]->face), behind[i]->distance});
+            const Vector3& normal = surface.faceNormal(place.face);
+            const auto behind = distance.behind(place.position, -normal, 1e-3*spacing, reach);
+            if (behind) found.push_back({place, normal, surface.faceNormal(behind->face), behind->distance});
         }
+        return found;
+    };
+
+    // Batches in their order. While one thread leaves out what is seen already in one, the others find the places of the next, and look behind those of the one before.
+    using Batch = std::vector<std::vector<SurfacePoint>>;
+    constexpr std::size_t groups = together/share;
+    const std::size_t batches = (pieces.size() + together - 1)/together;
+    Batch next(groups), current, last;
+    for (std::size_t batch = 0; batch < batches + 2; ++batch)
+    {
+        std::vector<std::vector<BackedPlace>> found(last.size());
+        forEachPart(1 + groups, [&](std::size_t part)
+        {
+            if (part == 0)
+            {
+                for (std::vector<SurfacePoint>& places : current) std::erase_if(places, isSeen);
+                return;
+            }
+            const std::size_t group = part - 1;
+            if (batch < batches) next[group] = placesOf(batch*together + group*share);
+            if (group < last.size()) found[group] = backed(last[group]);
+        });
+        for (const std::vector<BackedPlace>& some : found)
+        {
+            for (const BackedPlace& place : some) take(place);
+        }
+        last = std::move(current);
+        current = batch < batches ? std::exchange(next, Batch(groups)) : Batch();
     }
 }
 
