@@ -60,24 +60,22 @@ public:
         high_.fill(-std::numeric_limits<double>::infinity());
     }
 
-    void widen(const std::vector<Vector3>& points, const Vector3& n)
+    Extents(const std::vector<Vector3>& points, const Vector3& n) : Extents()
     {
+        constexpr std::size_t share = 1 << 15;
         const Vector3 u = perpendicular(n), v = cross(n, u);
-        std::array<Vector3, directions> direction;
-        for (int k = 0; k < directions; ++k)
+        std::vector<Extents> extents((points.size() + share - 1)/share);
+        forEachPart(extents.size(), [&](std::size_t part)
         {
-            const double angle = std::numbers::pi*k/directions;
-            direction[k] = std::cos(angle)*u + std::sin(angle)*v;
-        }
-        for (const Vector3& p : points)
-        {
+            const std::size_t end = std::min(points.size(), (part + 1)*share);
             for (int k = 0; k < directions; ++k)
             {
-                const double place = dot(p, direction[k]);
-                low_[k] = std::min(low_[k], place);
-                high_[k] = std::max(high_[k], place);
+                const double angle = std::numbers::pi*k/directions;
+                const Vector3 direction = std::cos(angle)*u + std::sin(angle)*v;
+                for (std::size_t i = part*share; i < end; ++i) extents[part].widen(k, dot(points[i], direction));
             }
-        }
+        });
+        for (const Extents& each : extents) add(each);
     }
 
     void add(const Extents& other)
@@ -97,6 +95,12 @@ public:
     }
 
 private:
+    void widen(int k, double place)
+    {
+        low_[k] = std::min(low_[k], place);
+        high_[k] = std::max(high_[k], place);
+    }
+
     static constexpr int directions = 90;
     std::array<double, directions> low_, high_;
 };
@@ -194,9 +198,7 @@ Spread measureSpread(const TriangleMesh& mesh, const std::vector<WettedSurface::
     }
     spread.normal = normalized(wetted.normal);
     spread.wettedDiameter = 2*std::sqrt(spread.wettedArea/std::numbers::pi);
-    Sizes sizes;
-    sizes.wetted.widen(places, spread.normal);
-    sizes.all.widen(mesh.vertices, spread.normal);
+    Sizes sizes{Extents(places, spread.normal), Extents(mesh.vertices, spread.normal)};
     for (const Vector3& p : places) sizes.base += dot(p, spread.normal)/wetted.places;
     for (const Vector3& p : mesh.vertices) sizes.top = std::max(sizes.top, dot(p, spread.normal));
     sizes = parts.fold(sizes);
