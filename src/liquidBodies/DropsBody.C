@@ -132,42 +132,22 @@ public:
 
     std::vector<Vector3> fill(double spacing, const SourceLocation& where) const override
     {
-        const double quantum = spacing*0x1p-20;         // so that no machine rounds places differently
-        const auto rounded = [&](double x) { return std::round(x/quantum)*quantum; };
-        constexpr std::size_t together = 4096;          // drops that threads share
+        constexpr std::size_t share = 64, together = 64*share;          // balls of a thread at a time, and up to where these are put behind each other
+        const std::size_t balls = balls_.placed();
         std::vector<Vector3> positions;
         positions.reserve(std::size_t(1.01*volume()/(spacing*spacing*spacing)));
-        Progress progress("Filling " + std::to_string(balls_.placed()) + " drops");
-        for (std::size_t begin = 0, end = 0; begin < balls_.placed(); begin = end)
+        Progress progress("Filling " + std::to_string(balls) + " drops");
+        for (std::size_t begin = 0; begin < balls; begin += together)
         {
-            end = std::min(balls_.placed(), begin + together);
-            std::vector<std::size_t> first, firstOfBall(1, positions.size());   // balls that differ from those before; particles before each ball
-            for (std::size_t ball = begin; ball < end; ++ball)
+            const std::size_t end = std::min(balls, begin + together);
+            std::vector<std::vector<Vector3>> filled((end - begin + share - 1)/share);
+            forEachPart(filled.size(), [&](std::size_t part)
             {
-                if (ball == begin || balls_.radii()[ball] != balls_.radii()[ball - 1]) first.push_back(ball);
-            }
-            std::vector<std::vector<Vector3>> lattices(first.size());
-            forEachInParallel(first.size(), [&](std::size_t i) { lattices[i] = fillLattice(Ball(balls_.radii()[first[i]]), spacing, where); }, 16);
-            first.push_back(end);
-            std::vector<const std::vector<Vector3>*> ofBall;
-            for (std::size_t i = 0; i < lattices.size(); ++i) ofBall.resize(first[i + 1] - begin, &lattices[i]);
-            for (const std::vector<Vector3>* lattice : ofBall) firstOfBall.push_back(firstOfBall.back() + lattice->size());
-            positions.resize(firstOfBall.back());
-            forEachInParallel
-            (
-                ofBall.size(),
-                [&](std::size_t i)
-                {
-                    std::size_t particle = firstOfBall[i];
-                    for (const Vector3& offset : *ofBall[i])
-                    {
-                        const Vector3 x = balls_.centres()[begin + i] + offset;
-                        positions[particle++] = {rounded(x.x), rounded(x.y), rounded(x.z)};
-                    }
-                },
-                16
-            );
-            progress.update(double(end)/double(balls_.placed()));
+                const std::size_t first = begin + part*share;
+                filled[part] = fillBalls(first, std::min(end, first + share), spacing, where);
+            });
+            for (const std::vector<Vector3>& some : filled) positions.insert(positions.end(), some.begin(), some.end());
+            progress.update(double(end)/double(balls));
         }
         return positions;
     }
@@ -193,6 +173,25 @@ public:
     }
 
 private:
+    // Of balls from the first up to the end.
+    std::vector<Vector3> fillBalls(std::size_t first, std::size_t end, double spacing, const SourceLocation& where) const
+    {
+        const double quantum = spacing*0x1p-20;         // so that no machine rounds places differently
+        const auto rounded = [&](double x) { return std::round(x/quantum)*quantum; };
+        std::vector<Vector3> positions, ofBall;
+        for (std::size_t ball = first; ball < end; ++ball)
+        {
+            const double radius = balls_.radii()[ball];
+            if (ball == first || radius != balls_.radii()[ball - 1]) ofBall = fillLattice(Ball(radius), spacing, where);
+            for (const Vector3& offset : ofBall)
+            {
+                const Vector3 x = balls_.centres()[ball] + offset;
+                positions.emplace_back(rounded(x.x), rounded(x.y), rounded(x.z));
+            }
+        }
+        return positions;
+    }
+
     // Whole micrometres a second: see diameters.
     static double roundedSpeed(double diameter)
     {
