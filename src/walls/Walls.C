@@ -23,11 +23,13 @@ namespace
 // theta in degrees
 scalar cosine(double theta) { return scalar(std::cos(radians(theta))); }
 
-void refuseUnlessAngle(double theta, const SourceLocation& where)
+void refuseNoAngles(const std::vector<double>& thetas, const SourceLocation& where)
 {
-    if (theta >= 0 && theta <= 180) return;
+    const auto isNone = [](double theta) { return !(theta >= 0 && theta <= 180); };
+    const auto none = std::find_if(thetas.begin(), thetas.end(), isNone);
+    if (none == thetas.end()) return;
     std::ostringstream text;
-    text << "A contact angle of " << theta << " degrees";
+    text << "A contact angle of " << *none << " degrees";
     throw FatalInputError(where, text.str(), "0 to 180 degrees");
 }
 
@@ -150,7 +152,7 @@ WallAngles Walls::readAngles() const
             );
         }
         angles.particles = readTheta(folder, particles());
-        for (const double theta : angles.particles) refuseUnlessAngle(theta, {(folder / "solid/theta").string(), 0});
+        refuseNoAngles(angles.particles, {(folder / "solid/theta").string(), 0});
     }
     if (surfaces_.count > 0)
     {
