@@ -29,11 +29,14 @@ public:
 
     void execute(FlowView& flow) override
     {
-        const Bounds box = boundsOf(flow.positions());
+        const Bounds box = flow.parts().fold(boundsOf(flow.positionsOfPart()));
+        if (flow.parts().part() > 0) return;
         table_.addRow({flow.time.value(), box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z});
     }
 
+    bool measuresInParts() const override { return true; }
     bool looksAtDensities() const override { return false; }
+    bool looksAtParticles() const override { return false; }
     const CsvFile* table() const override { return &table_; }
 
 private:
