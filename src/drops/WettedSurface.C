@@ -72,7 +72,15 @@ public:
             {
                 const double angle = std::numbers::pi*k/directions;
                 const Vector3 direction = std::cos(angle)*u + std::sin(angle)*v;
-                for (std::size_t i = part*share; i < end; ++i) extents[part].widen(k, dot(points[i], direction));
+                double low = extents[part].low_[k], high = extents[part].high_[k];
+                for (std::size_t i = part*share; i < end; ++i)
+                {
+                    const double place = dot(points[i], direction);
+                    low = std::min(low, place);
+                    high = std::max(high, place);
+                }
+                extents[part].low_[k] = low;
+                extents[part].high_[k] = high;
             }
         });
         for (const Extents& each : extents) add(each);
@@ -95,12 +103,6 @@ public:
     }
 
 private:
-    void widen(int k, double place)
-    {
-        low_[k] = std::min(low_[k], place);
-        high_[k] = std::max(high_[k], place);
-    }
-
     static constexpr int directions = 90;
     std::array<double, directions> low_, high_;
 };
