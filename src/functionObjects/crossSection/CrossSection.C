@@ -17,9 +17,11 @@
 #include "caseFiles/UnitVector.H"
 #include "core/fieldFile/CsvFile.H"
 #include "functionObjects/FunctionObject.H"
+#include "maths/WholeSum.H"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace shizuku
@@ -28,25 +30,32 @@ namespace shizuku
 namespace
 {
 
+// The same in any order, and so in any parts.
 struct Sums
 {
-    long count = 0;
-    Vector3 places{};
-    double squares = 0;
+    std::int64_t count = 0;
+    WideSum places[3], squares;         // m, m2
 
     void add(const Vector3& x)
     {
         ++count;
-        places = places + x;
-        squares += dot(x, x);
+        for (int c = 0; c < 3; ++c) places[c] += wideQuanta(x[c]);
+        squares += wideQuanta(dot(x, x));
+    }
+
+    void add(const Sums& other)
+    {
+        count += other.count;
+        for (int c = 0; c < 3; ++c) places[c] += other.places[c];
+        squares += other.squares;
     }
 
     // Of a disc <r^2> is half the radius squared; of a square of side d a sixth of d^2.
     double radius(double d) const
     {
         if (count == 0) return 0;
-        const Vector3 mean = 1/double(count)*places;
-        return std::sqrt(2*(std::max(0.0, squares/double(count) - dot(mean, mean)) + d*d/6));
+        const Vector3 mean = 1/double(count)*Vector3(valueOf(places[0]), valueOf(places[1]), valueOf(places[2]));
+        return std::sqrt(2*(std::max(0.0, valueOf(squares)/double(count) - dot(mean, mean)) + d*d/6));
     }
 };
 
@@ -65,7 +74,7 @@ public:
     void execute(FlowView& flow) override
     {
         std::vector<Sums> within(places_.size());
-        for (const Vector3& x : flow.positions())
+        for (const Vector3& x : flow.positionsOfPart())
         {
             const double along = dot(x, normal_);
             for (std::size_t i = 0; i < places_.size(); ++i)
@@ -73,6 +82,8 @@ public:
                 if (along >= places_[i] - 0.5*thickness_ && along < places_[i] + 0.5*thickness_) within[i].add(x - along*normal_);
             }
         }
+        for (Sums& sums : within) sums = flow.parts().fold(sums);
+        if (flow.parts().part() > 0) return;
         for (std::size_t i = 0; i < places_.size(); ++i)
         {
             const double area = double(within[i].count) * flow.properties().particleVolume() / thickness_;
@@ -80,7 +91,9 @@ public:
         }
     }
 
+    bool measuresInParts() const override { return true; }
     bool looksAtDensities() const override { return false; }
+    bool looksAtParticles() const override { return false; }
     const CsvFile* table() const override { return &table_; }
 
 private:

@@ -57,11 +57,11 @@ TEST(FunctionObjects, DropsAreCountedAndSized)
     EXPECT_TRUE(holds(messageOf([&] { make("(-1 1)"); }), {"ascending"}));
 }
 
-// Bodies that lie in several parts, in whatever way their particles are dealt out, are counted once: tables to the byte, that of the box around all too.
+// Bodies that lie in several parts, in whatever way their particles are dealt out, are counted once: tables to the byte. So are those of boxes and sections.
 TEST(FunctionObjects, DropsOfPartsAreThoseOfOne)
 {
-    const std::string functions = "sizes { type drops; classes (0 4e-3 5e-3 1e-2); } box { type boundingBox; }";
-    const std::string table = "sizes/0/drops.csv", box = "box/0/boundingBox.csv";
+    const std::string functions = "sizes { type drops; classes (0 4e-3 5e-3 1e-2); } box { type boundingBox; } cut { type crossSection; normal (0 0 1); places (0 2e-3); }";
+    const std::string table = "sizes/0/drops.csv", box = "box/0/boundingBox.csv", cut = "cut/0/crossSection.csv";
     std::vector<Vec3> places;
     for (const Vec3& centre : {Vec3{0, 0, 0}, Vec3{10, 0, 0}, Vec3{0, 9, 0}, Vec3{20, 20, 20}})
     {
@@ -90,11 +90,13 @@ TEST(FunctionObjects, DropsOfPartsAreThoseOfOne)
                 flow.measure();
                 EXPECT_EQ(flow.table(table), all.part() == 0 ? whole.table(table) : "") << parts << ' ' << inTurn;
                 EXPECT_EQ(flow.table(box), all.part() == 0 ? whole.table(box) : "") << parts << ' ' << inTurn;
+                EXPECT_EQ(flow.table(cut), all.part() == 0 ? whole.table(cut) : "") << parts << ' ' << inTurn;
             });
         }
     }
     EXPECT_EQ(whole.value(table, "drops"), 5);
     EXPECT_GT(whole.value(box, "maxX"), whole.value(box, "minX"));
+    EXPECT_GT(whole.value(cut, "radius", 0), 0);
 }
 
 TEST(FunctionObjects, OutflowWantsAnOutlet)
