@@ -18,7 +18,7 @@ namespace shizuku
 namespace
 {
 
-// A particle, and the piece of a body that it is in: of all parts, numbered from the first part's first.
+// A particle for another part, and the piece of a body that it is in: of all parts, numbered from the first part's first.
 struct PieceParticle
 {
     Vector3 position;
@@ -34,14 +34,17 @@ struct Joint
 class Pieces
 {
 public:
-    Pieces(const std::vector<Vector3>& positions, double spacing, const Communicator& parts) : reach_(bodyReach*spacing), parts_(parts), particles_(positions.size())
+    // The positions and the communicator are referred to, not copied.
+    Pieces(const std::vector<Vector3>& positions, double spacing, const Communicator& parts)
+    :
+        reach_(bodyReach*spacing), parts_(parts), positions_(positions), piece_(positions.size())
     {
         const std::vector<std::vector<int>> groups = connectedPoints(positions, reach_);
         const std::vector<int> counts = parts.gather(int(groups.size()));
         int piece = std::accumulate(counts.begin(), counts.begin() + parts.part(), 0);
         for (const std::vector<int>& group : groups)
         {
-            for (const int i : group) particles_[i] = {positions[i], piece};
+            for (const int i : group) piece_[i] = piece;
             sizes_.push_back(int(group.size()));
             ++piece;
         }
@@ -52,9 +55,7 @@ public:
     // Those that this part's pieces have with pieces of parts behind it.
     std::vector<Joint> joints() const
     {
-        std::vector<Vector3> own;
-        for (const PieceParticle& particle : particles_) own.push_back(particle.position);
-        const std::vector<Bounds> boxes = parts_.gather(boundsOf(own));
+        const std::vector<Bounds> boxes = parts_.gather(boundsOf(positions_));
         std::vector<Bytes> to(parts_.parts());
         for (int k = 0; k < parts_.part(); ++k) to[k] = bytesOf(near(boxes[k]));
         const std::vector<Bytes> from = parts_.exchange(std::move(to));
@@ -74,12 +75,12 @@ private:
     std::vector<PieceParticle> near(const Bounds& box) const
     {
         std::vector<PieceParticle> some;
-        for (const PieceParticle& particle : particles_)
+        for (std::size_t i = 0; i < positions_.size(); ++i)
         {
-            const Vector3& x = particle.position;
+            const Vector3& x = positions_[i];
             bool is = true;
             for (int c = 0; c < 3; ++c) is = is && x[c] >= box.low[c] - reach_ && x[c] <= box.high[c] + reach_;
-            if (is) some.push_back(particle);
+            if (is) some.push_back({x, piece_[i]});
         }
         return some;
     }
@@ -102,7 +103,8 @@ private:
 
     double reach_;
     const Communicator& parts_;
-    std::vector<PieceParticle> particles_;
+    const std::vector<Vector3>& positions_;
+    std::vector<int> piece_;            // of each particle
     std::vector<int> sizes_;            // of the pieces, in particles
 };
 
