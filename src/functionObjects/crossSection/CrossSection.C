@@ -30,11 +30,13 @@ namespace shizuku
 namespace
 {
 
-// The same in any order, and so in any parts.
+// Of places in spans of 1,024 spacings, so that small liquid and wide liquid are held as well as any. The same in any order, and so in any parts.
 struct Sums
 {
+    static constexpr double span = 1024;    // spacings
+
     std::int64_t count = 0;
-    WideSum places[3], squares;         // m, m2
+    WideSum places[3], squares;
 
     void add(const Vector3& x)
     {
@@ -50,12 +52,12 @@ struct Sums
         squares += other.squares;
     }
 
-    // Of a disc <r^2> is half the radius squared; of a square of side d a sixth of d^2.
+    // m. Of a disc <r^2> is half the radius squared; of a square of side d a sixth of d^2.
     double radius(double d) const
     {
         if (count == 0) return 0;
         const Vector3 mean = 1/double(count)*Vector3(valueOf(places[0]), valueOf(places[1]), valueOf(places[2]));
-        return std::sqrt(2*(std::max(0.0, valueOf(squares)/double(count) - dot(mean, mean)) + d*d/6));
+        return d*std::sqrt(2*(span*span*std::max(0.0, valueOf(squares)/double(count) - dot(mean, mean)) + 1.0/6));
     }
 };
 
@@ -79,7 +81,7 @@ public:
             const double along = dot(x, normal_);
             for (std::size_t i = 0; i < places_.size(); ++i)
             {
-                if (along >= places_[i] - 0.5*thickness_ && along < places_[i] + 0.5*thickness_) within[i].add(x - along*normal_);
+                if (along >= places_[i] - 0.5*thickness_ && along < places_[i] + 0.5*thickness_) within[i].add(1/(Sums::span*spacing_)*(x - along*normal_));
             }
         }
         for (Sums& sums : within) sums = flow.parts().fold(sums);
