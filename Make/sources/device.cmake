@@ -47,6 +47,7 @@ set(SHIZUKU_DEVICE_SOURCES
     models/pressure/DFSPH/DFSPH.C
     models/pressure/PCISPH/PCISPH.C
     models/pressure/WCSPH/WCSPH.C
+    models/pressure/completedPbf/CellShares.C
     models/pressure/completedPbf/CoarseCorrection.C
     models/pressure/completedPbf/CompletedPbf.C
     models/pressure/completedPbf/GridPoisson.C

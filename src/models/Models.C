@@ -54,21 +54,16 @@ Models::Models(const std::filesystem::path& casePath, const Dictionary& solution
 
 void Models::refuseParts() const
 {
-    const auto refuseWord = [&](const std::string& kind, const std::string& word)
-    {
-        throw FatalInputError
-        (
-            dict.where(kind), "The liquid cannot be cut into parts with " + kind + " " + word + " as it is",
-            "pressure completedPbf (without coarseGrid) or pbf, surfaceTension laplacePressure or Fujisawa2014, wetting extendedSurface or contactAngle "
-            "(of solidNormal wall or zero), viscosity newtonian or XSPH, or none of them; forceCoupling predictor"
-        );
-    };
     const auto refuse = [&](const std::string& kind, const auto& model)
     {
         const std::string word = dict.lookupOr<std::string>(kind, "none");
-        if (word != "none" && !model.seesGhosts()) refuseWord(kind, word);
+        if (word == "none" || model.seesGhosts()) return;
+        throw FatalInputError
+        (
+            dict.where(kind), "The liquid cannot be cut into parts with " + kind + " " + word + ": the model does not say that it sees the particles of other parts",
+            "a model whose seesGhosts() is true, as those of this program are; or one process"
+        );
     };
-    if (forces.actInIterations()) refuseWord("forceCoupling", "everyIteration");
     refuse("pressure", *pressure);
     refuse("surfaceTension", forces.tension());
     refuse("wetting", forces.wetting());

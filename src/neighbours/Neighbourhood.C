@@ -30,7 +30,7 @@ void Neighbourhood::update(Liquid& liquid, scalar wideSupport)
     lengthen(liquid);
 }
 
-void Neighbourhood::search(Liquid& liquid, scalar wideSupport)
+void Neighbourhood::search(Liquid& liquid, scalar wideSupport, scalar ghosts)
 {
     if (wideSupport != wideSupport_)
     {
@@ -38,7 +38,7 @@ void Neighbourhood::search(Liquid& liquid, scalar wideSupport)
         wideSupport_ = wideSupport;
     }
     list_.forget();
-    if (parts_) parts_->bring(liquid, grid_, std::max(liquid.support(), wideSupport));
+    if (parts_) parts_->bring(liquid, grid_, std::max({liquid.support(), wideSupport, ghosts}));
     std::optional<CellGrid::Owned> owned;
     if (parts_) owned = CellGrid::Owned{liquid.owned(), parts_->cut().rowsOf(liquid.parts().part())};
     const Buffer<std::uint32_t> order = grid_.build(liquid.predicted.span(), liquid.all(), liquid.id.span(), {}, owned);

@@ -120,17 +120,19 @@ void Ghosts::copy(const Columns& values, GhostsOf which) const
     exchange_.unpack(values, received_.span(), which);
 }
 
-void Ghosts::gather(const std::byte* own, std::size_t size, std::byte* all) const
+void Ghosts::gather(const std::byte* own, const std::vector<std::size_t>& sizes, std::byte* all) const
 {
     const int part = parts().part();
-    device::copyOnDevice(all + part * size, own, size);
     std::vector<SentPiece> sent;
     std::vector<ReceivedPiece> received;
-    for (int k = 0; k < parts().parts(); ++k)
+    for (int k = 0; k < parts().parts(); all += sizes[k++])
     {
-        if (k == part) continue;
-        sent.push_back({k, own, size});
-        received.push_back({k, all + k * size, size});
+        if (k == part) device::copyOnDevice(all, own, sizes[k]);
+        else
+        {
+            if (sizes[part] > 0) sent.push_back({k, own, sizes[part]});
+            if (sizes[k] > 0) received.push_back({k, all, sizes[k]});
+        }
     }
     if (link_) link_->exchange(sent, received);
 }

@@ -17,7 +17,7 @@ namespace
 void search(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& models)
 {
     models.freeSurface->forget();
-    near.search(liquid, models.freeSurface->support());
+    near.search(liquid, models.freeSurface->support(), models.forces.reach());
     walls.search(liquid);
 }
 
@@ -74,7 +74,7 @@ void SubStep::operator()(scalar dt)
     );
     models_.rigidMotion.begin(liquid_, walls_, dt);
     lendVelocities(liquid_);
-    if (!models_.forces.actInIterations()) models_.freeSurface->lendPositions();
+    models_.freeSurface->lendPositions();
     walls_.project(liquid_);
     iterate(liquid_, near_, walls_, *models_.pressure, dt, [&] { return models_.forces.applyInIteration(liquid_, near_, walls_, dt); });
 

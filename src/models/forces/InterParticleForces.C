@@ -13,8 +13,19 @@ InterParticleForces::InterParticleForces(const Dictionary& models, Liquid& liqui
         models.lookupChoiceOr("forceCoupling", {"predictor", "everyIteration"}, "predictor") == "everyIteration"
     ),
     tension_(SurfaceTension::New(models, liquid, walls, surface)),
-    wetting_(Wetting::New(models, liquid, walls, *tension_))
-{}
+    wetting_(Wetting::New(models, liquid, walls, *tension_)),
+    reach_(wetting_->reach())
+{
+    if (everyIteration_ && tension_->freeSurface())
+    {
+        throw FatalInputError
+        (
+            models.where("forceCoupling"), "A tension of the free surface acts once a step, where the surface was found", "predictor, or a tension by forces of pairs"
+        );
+    }
+    // Iterations move particles on, which are looked for in the cells of the search: of these some are seen that were a cell's diagonal farther.
+    if (everyIteration_ && reach_ > 0) reach_ += 1.5f * liquid.support();
+}
 
 void InterParticleForces::applyBeforeIterations(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
 {
@@ -23,7 +34,11 @@ void InterParticleForces::applyBeforeIterations(Liquid& liquid, const Neighbourh
 
 bool InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
 {
-    if (everyIteration_) apply(liquid, near, walls, dt);
+    if (everyIteration_)
+    {
+        liquid.ghosts().copy(liquid.predicted);
+        apply(liquid, near, walls, dt);
+    }
     return actInIterations();
 }
 

@@ -243,7 +243,11 @@ TEST(InterParticleForces, ActInThePlaceThatForceCouplingChooses)
         EXPECT_TRUE(moved());
     }
     LiquidCase drop;
-    const Dictionary wrong = Dictionary::parse("surfaceTension none; wetting none; forceCoupling once;");
-    const auto make = [&] { InterParticleForces(wrong, drop.liquid, drop.walls, drop.surface); };
-    EXPECT_TRUE(holds(messageOf(make), {"once", "predictor", "everyIteration"}));
+    const auto message = [&](const std::string& text)
+    {
+        const Dictionary wrong = Dictionary::parse(text);
+        return messageOf([&] { InterParticleForces(wrong, drop.liquid, drop.walls, drop.surface); });
+    };
+    EXPECT_TRUE(holds(message("surfaceTension none; wetting none; forceCoupling once;"), {"once", "predictor", "everyIteration"}));
+    EXPECT_TRUE(holds(message("surfaceTension laplacePressure; wetting none; forceCoupling everyIteration;"), {"free surface", "forces of pairs"}));
 }

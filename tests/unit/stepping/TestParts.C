@@ -33,8 +33,11 @@ struct Scene
     int steps;
     std::string nu = "1e-6";            // m2/s
     std::string outlets = {};
-    bool isBar = false;                 // long enough for particles that no other part sees, and neighbours of whose neighbours none sees
+    enum { ball, bar, block } shape = ball;     // bar: long enough for particles that no other part sees, and neighbours of whose neighbours none sees; block: for a coarse grid
+    std::string moreSolution = {};
 };
+
+std::filesystem::path setsOfModels() { return std::filesystem::path(std::getenv("SHIZUKU_DIR")) / "tests/validation/models"; }
 
 CaseText textOf(const Scene& scene)
 {
@@ -49,12 +52,15 @@ class CutDrop : public LiquidCase
 public:
     explicit CutDrop(const Scene& scene) : LiquidCase(textOf(scene)), outlets(writeOutlets(scene.outlets), liquid)
     {
-        const auto set = std::filesystem::path(std::getenv("SHIZUKU_DIR")) / "tests/validation/models" / scene.set;
+        const auto set = setsOfModels() / scene.set;
         std::ifstream file(set / "models");
         folder.write("constant/models", std::string{std::istreambuf_iterator<char>(file), {}} + "bodyForce gravity;" + scene.moreModels);
-        models = std::make_unique<Models>(folder.path(), Dictionary::read(set / "solution"), liquid, walls);
+        std::ifstream solution(set / "solution");
+        folder.write("system/solution", std::string{std::istreambuf_iterator<char>(solution), {}} + scene.moreSolution);
+        models = std::make_unique<Models>(folder.path(), Dictionary::read(folder.path() / "system/solution"), liquid, walls);
         models->takeEffect(liquid, walls);
-        auto points = scene.isBar ? latticeBlock(5, 80, 5, 1, {-2, -40, 2}) : latticeBall(6.2f, {0, 0, 6.4f});
+        auto points = scene.shape == Scene::ball ? latticeBall(6.2f, {0, 0, 6.4f})
+            : scene.shape == Scene::bar ? latticeBlock(5, 80, 5, 1, {-2, -40, 2}) : latticeBlock(14, 22, 18, 0.97f, {-7, -10, 0.5f});
         RandomNumbers random(3);
         disorder(points, 0.02f, random);
         place(points, std::vector<Vec3>(points.size(), Vec3{0.1f, 0.8f, -0.8f}));
@@ -166,6 +172,13 @@ int differing(const State& a, const State& b)
     return count;
 }
 
+// A model of a user's, which reads neighbours as one process sees them.
+class OfOneProcess : public ParticleShifting
+{
+public:
+    void apply(Liquid&, const Neighbourhood&, const Walls&) override {}
+};
+
 // In quanta along an axis.
 std::int64_t farthest(const State& a, const State& b)
 {
@@ -252,7 +265,7 @@ TEST(TestParts, AnyCutHasTheBitsOfTheWhole)
 // Particles that nobody else sees are computed while values of the others travel.
 TEST(TestParts, LongBarHasTheBitsOfTheWhole)
 {
-    expectSameBits({"default", "velocityCorrection keepsTurns;", false, 6, "1e-6", {}, true}, {bisected(2)});
+    expectSameBits({"default", "velocityCorrection keepsTurns;", false, 6, "1e-6", {}, Scene::bar}, {bisected(2)});
 }
 
 // Of water the step takes the stress as it is; of a thick liquid it is solved for, with sums over all parts.
@@ -266,14 +279,66 @@ TEST(TestParts, WhatKeepsTurnsHasTheBitsOfTheWhole)
     expectSameBits({"default", "velocityCorrection keepsTurns;", true, 12}, {slabs(2, false), bisected(4)});
 }
 
-TEST(TestParts, XSPHHasTheBitsOfTheWhole)
+// All sets of models that the validations know.
+class TestPartsOfSet : public testing::TestWithParam<const char*>
+{};
+
+const std::vector<const char*> setsToCut
 {
-    expectSameBits({"XSPH", "", true, 12}, {bisected(2), bisected(3)});
+    "Akinci2013", "Becker2007", "Clavet2005", "DFSPH", "Fujisawa2014", "Kondo2007", "Mueller2003", "PCISPH", "Tartakovsky2005", "WCSPH", "XSPH",
+    "continuumSurfaceForce", "default", "idealGas"
+};
+
+TEST_P(TestPartsOfSet, HasTheBitsOfTheWhole)
+{
+    expectSameBits({GetParam(), "", true, 12}, {bisected(2), slabs(3, false), bisected(5)});
 }
 
-TEST(TestParts, PbfHasTheBitsOfTheWhole)
+INSTANTIATE_TEST_SUITE_P(Models, TestPartsOfSet, testing::ValuesIn(setsToCut), [](const auto& info) { return std::string(info.param); });
+
+TEST(TestParts, AllSetsAreCut)
 {
-    expectSameBits({"Fujisawa2014", "contactAngleCoeffs { solidNormal wall; }", true, 12}, {bisected(2), slabs(3, false), bisected(5)});
+    std::vector<std::string> folders;
+    for (const auto& set : std::filesystem::directory_iterator(setsOfModels())) folders.push_back(set.path().filename());
+    std::sort(folders.begin(), folders.end());
+    EXPECT_EQ(folders, std::vector<std::string>(setsToCut.begin(), setsToCut.end()));
+}
+
+// Variants of models that no set has.
+TEST(TestParts, WallNormalsHaveTheBitsOfTheWhole)
+{
+    expectSameBits({"Fujisawa2014", "contactAngleCoeffs { solidNormal wall; }", true, 12}, {bisected(3)});
+}
+
+TEST(TestParts, SPHNormalsOfAnalyticWallsHaveTheBitsOfTheWhole)
+{
+    expectSameBits({"Fujisawa2014", "", false, 12}, {bisected(3)});
+}
+
+TEST(TestParts, ForcesInEveryIterationHaveTheBitsOfTheWhole)
+{
+    expectSameBits({"Fujisawa2014", "forceCoupling everyIteration;", true, 6}, {bisected(3)});
+    expectSameBits({"Fujisawa2014", "forceCoupling everyIteration; pressure completedPbf;", true, 6}, {bisected(3)});
+    expectSameBits({"Becker2007", "forceCoupling everyIteration; pressure DFSPH;", true, 6}, {bisected(3)});
+}
+
+TEST(TestParts, CurvatureAtStartHasTheBitsOfTheWhole)
+{
+    expectSameBits({"continuumSurfaceForce", "continuumSurfaceForceCoeffs { curvatureAt start; }", true, 12}, {bisected(3)});
+}
+
+TEST(TestParts, LaminarViscosityAndShiftedParticlesHaveTheBitsOfTheWhole)
+{
+    expectSameBits({"default", "viscosity laminar; particleShifting closePairs;", true, 6}, {bisected(3)});
+}
+
+TEST(TestParts, CoarseGridHasTheBitsOfTheWhole)
+{
+    Scene scene{"default", "particleShifting closePairs;", false, 4, "1e-6", {}, Scene::block};
+    const State without = CutDrop(scene).run(1).back();
+    scene.moreSolution = "pressure { coarseGrid yes; }";
+    EXPECT_GT(differing(CutDrop(scene).run(1).back(), without), 0);         // it is deep enough for the grid to act
+    expectSameBits(scene, {slabs(2, true), slabs(3, false), bisected(5)});
 }
 
 // A plane that the drop moves through: each part takes out its own, and all know how many.
@@ -310,10 +375,20 @@ TEST(TestParts, SolidParticlesAreThoseOfTheRows)
     EXPECT_EQ(part.walls.particles(), whole.walls.particles());
 }
 
-TEST(TestParts, ModelsThatReadNeighboursWithoutGhostsAreRefused)
+TEST(TestParts, ModelsThatDoNotSayThatTheySeeGhostsAreRefused)
 {
-    CutDrop drop({"WCSPH", "", false, 1});
-    EXPECT_THROW(drop.models->refuseParts(), FatalInputError);
+    CutDrop drop({"default", "particleShifting closePairs;", false, 1});
+    drop.models->refuseParts();
+    drop.models->particleShifting = std::make_unique<OfOneProcess>();
+    try
+    {
+        drop.models->refuseParts();
+        FAIL();
+    }
+    catch (const FatalInputError& error)
+    {
+        EXPECT_NE(std::string(error.what()).find("cannot be cut into parts with particleShifting closePairs"), std::string::npos) << error.what();
+    }
 }
 
 TEST(TestParts, OneThatFailsEndsAll)

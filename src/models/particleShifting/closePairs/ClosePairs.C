@@ -63,16 +63,18 @@ public:
         surface.requireUsual(liquid);
     }
 
+    bool seesGhosts() const override { return true; }
+
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
         constexpr scalar most = 0.1f, outermost = 1;        // spacings; a step; below the surface
         const scalar d = liquid.spacing();
         // The predicted positions are done with.
-        forEachTeam(liquid.owned(), PartPairs
+        liquid.ghosts().forEachTeam(liquid.owned(), PartPairs
         {
             distance_ * d, most * d, outermost * d, liquid.position.span(), near.view(), surface_.view(), walls.stop(liquid),
             liquid.predicted.span()
-        });
+        }, {valuesOf(liquid.position)}, {});
         liquid.position.swap(liquid.predicted);
     }
 

@@ -150,14 +150,16 @@ public:
 
     bool converged(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        if (made_ > 0 || liquid.owned() == 0) return true;
+        if (made_ > 0 || liquid.isEmpty()) return true;
         pressure_.resizeDiscarding(liquid.all());
         nearPressure_.resizeDiscarding(liquid.all());
+        liquid.ghosts().copy({placesOf(liquid.predicted)}, GhostsOf::lists);
         forEach(liquid.owned(), Pressures
         {
             relaxation_, 1 / liquid.particleVolume(), liquid.predicted.span(), near.view(), walls.view(liquid).particles,
             pressure_.span(), nearPressure_.span()
         });
+        liquid.ghosts().copy({valuesOf(pressure_), valuesOf(nearPressure_)}, GhostsOf::lists);
         return false;
     }
 
@@ -173,6 +175,7 @@ public:
         liquid.predicted.swap(corrected_);
     }
 
+    bool seesGhosts() const override { return true; }
     double stepLimit() const override { return sound_.stepLimit; }
     double mostCrowded() const override { return 1; }           // from 0.95 spacings drops come to rest
     int iterations() const override { return made_; }

@@ -128,8 +128,9 @@ struct DivergenceStep
     Convergence<Kernel> convergence;
     VelocityOf velocity;
     scalar fullCount, perVolume;        // neighbours of a full neighbourhood; particles in the volume of a support
+    scalar dt;
     Span<const scalar> factor;
-    Span<scalar> rate, total, increase;
+    Span<scalar> change, total, increase;       // change: of rho/rho0 in a step
 
     HOST_DEVICE void operator()(int i) const
     {
@@ -142,7 +143,7 @@ struct DivergenceStep
         });
         const bool few = scalar(count) + perVolume * walls.ofSurfaces(i, xi).value < 0.6f * fullCount;
         const scalar now = convergence(i, velocity);
-        rate[i] = few ? 0 : fmax(now, 0);
+        change[i] = few ? 0 : dt * now;
         increase[i] = few ? raise(total[i], -total[i]) : raise(total[i], relaxation * factor[i] * now);
     }
 };
@@ -158,19 +159,6 @@ struct WarmStart
         increase[i] = factor * total[i];
         if (factor == 0) total[i] = 0;
     }
-};
-
-struct RateSum
-{
-    double value = 0;
-    HOST_DEVICE void add(const RateSum& other) { value += other.value; }
-};
-
-struct RateOf
-{
-    Span<const scalar> rate;
-
-    HOST_DEVICE RateSum operator()(int i) const { return {rate[i]}; }
 };
 
 class DFSPH : public Pressure
@@ -197,7 +185,7 @@ public:
 
     bool converged(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return true;
+        if (iterations_ >= controls_.maxIterations || liquid.isEmpty()) return true;
         const scalar perPressure = dt_ * dt_ / liquid.restDensity();
         std::visit
         (
@@ -205,6 +193,7 @@ public:
             {
                 if (iterations_ == 0)
                 {
+                    liquid.ghosts().copy({valuesOf(liquid.position)}, GhostsOf::lists);
                     prepare(W, liquid, near, walls);
                     computeDensity(liquid, liquid.position, near, walls);
                     start_.resizeDiscarding(liquid.all());
@@ -212,6 +201,7 @@ public:
                     forEach(liquid.owned(), WarmStart{warmStart_ ? perPressure : 0, pressure_.span(), increase_.span()});
                     if (warmStart_) push(W, liquid, near, walls, liquid.predicted);
                 }
+                liquid.ghosts().copy({placesOf(liquid.predicted)}, GhostsOf::lists);
                 forEach(liquid.owned(), DensityStep<Kernel>
                 {
                     {W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view(liquid)},
@@ -232,33 +222,35 @@ public:
 
     void correctVelocities(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        if (liquid.owned() == 0) return;
+        if (liquid.isEmpty()) return;
+        liquid.ghosts().copy({valuesOf(liquid.position), valuesOf(liquid.velocity)}, GhostsOf::lists);
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
                 prepare(W, liquid, near, walls);
-                rate_.resizeDiscarding(liquid.all());
+                change_.resizeDiscarding(liquid.owned());
                 forEach(liquid.owned(), WarmStart{warmStart_ ? 1.0f : 0.0f, velocityPotential_.span(), increase_.span()});
-                if (warmStart_) push(W, liquid, near, walls, liquid.velocity);
+                if (warmStart_) pushVelocities(W, liquid, near, walls);
                 const scalar inSupport = 4 * kernels::pi / 3 * W.h * W.h * W.h / liquid.particleVolume();
                 for (int made = 0; made < divergenceControls_.maxIterations; ++made)
                 {
                     forEach(liquid.owned(), DivergenceStep<Kernel>
                     {
                         {W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view(liquid)},
-                        {liquid.velocity.span()}, inSupport - 1, inSupport, factor_.span(), rate_.span(),
+                        {liquid.velocity.span()}, inSupport - 1, inSupport, dt_, factor_.span(), change_.span(),
                         velocityPotential_.span(), increase_.span()
                     });
                     const bool looks = made >= divergenceControls_.minIterations && divergenceControls_.tolerance > 0;
-                    if (looks && dt_ * averageRate(liquid) <= divergenceControls_.tolerance) break;
-                    push(W, liquid, near, walls, liquid.velocity);
+                    if (looks && averageChange(liquid) <= divergenceControls_.tolerance) break;
+                    pushVelocities(W, liquid, near, walls);
                 }
             },
             liquid.kernel()
         );
     }
 
+    bool seesGhosts() const override { return true; }
     int iterations() const override { return iterations_; }
     double mostCompression() const override { return mostTakenOutAtOnce; }
     const Buffer<scalar>* keepPressure() override { return &pressure_; }
@@ -278,15 +270,24 @@ private:
     template<class Kernel, class Moved>
     void push(const Kernel& W, const Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Moved>& moved)
     {
+        liquid.ghosts().copy({valuesOf(increase_)}, GhostsOf::lists);
         forEach(liquid.owned(), PushApart<Kernel, SumOfBoth, Moved>
         {
             W, liquid.particleVolume(), {increase_.span()}, liquid.position.span(), near.view(), walls.view(liquid), moved.span()
         });
     }
 
-    double averageRate(const Liquid& liquid)
+    template<class Kernel>
+    void pushVelocities(const Kernel& W, Liquid& liquid, const Neighbourhood& near, const Walls& walls)
     {
-        return reduce(liquid.owned(), RateOf{rate_.span()}, scratch_).value / liquid.owned();
+        push(W, liquid, near, walls, liquid.velocity);
+        liquid.ghosts().copy({valuesOf(liquid.velocity)}, GhostsOf::lists);
+    }
+
+    double averageChange(const Liquid& liquid)
+    {
+        averageChange_.ask(liquid, change_.span(), 0);
+        return averageChange_.take();
     }
 
     IterationControls controls_, divergenceControls_;
@@ -295,9 +296,9 @@ private:
     int iterations_ = 0;
     Buffer<scalar>& pressure_;          // rho0 kappa/rho, of the step that was made
     Buffer<scalar>& velocityPotential_;  // dt kappav/rho
-    Buffer<scalar> start_, factor_, increase_, rate_;
+    Buffer<scalar> start_, factor_, increase_, change_;
     AverageCompression compression_;
-    Buffer<RateSum> scratch_;
+    AverageExcess averageChange_;
 };
 
 const PressureTable::Add<DFSPH> registered{"DFSPH", "divergence-free SPH (Bender and Koschier 2015)"};

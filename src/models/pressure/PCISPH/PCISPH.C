@@ -60,14 +60,17 @@ public:
 
     bool converged(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        if (iterations_ >= controls_.maxIterations || liquid.owned() == 0) return true;
+        if (iterations_ >= controls_.maxIterations || liquid.isEmpty()) return true;
         const scalar perPressure = dt_ * dt_ / liquid.restDensity();
         increase_.resizeDiscarding(liquid.all());
+        liquid.ghosts().copy({placesOf(liquid.predicted)}, GhostsOf::lists);
+        if (iterations_ == 0) liquid.ghosts().copy({valuesOf(liquid.position)}, GhostsOf::lists);
         computeDensity(liquid, near, walls);
         forEach(liquid.owned(), RaiseByDensity
         {
             1 / (2 * perPressure * squares_), perPressure, liquid.density.span(), pressure_.span(), increase_.span()
         });
+        liquid.ghosts().copy({valuesOf(increase_)}, GhostsOf::lists);
         return !compression_.wantsAnother(liquid, controls_, iterations_);
     }
 
@@ -89,6 +92,7 @@ public:
         forEach(liquid.owned(), AddPressure{liquid.restDensity() / (dt_ * dt_), increase_.span(), pressure_.span()});
     }
 
+    bool seesGhosts() const override { return true; }
     int iterations() const override { return iterations_; }
     double mostCompression() const override { return mostTakenOutAtOnce; }
     const Buffer<scalar>* keepPressure() override { return &pressure_; }

@@ -4,9 +4,10 @@
 #include "core/messages/Error.H"
 #include "device/ForEach.H"
 #include "device/Reduce.H"
+#include "maths/WholeSum.H"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace shizuku
 {
@@ -21,34 +22,47 @@ constexpr scalar farthest = 0.2f;           // spacings in an iteration: more th
 constexpr scalar spray = 0.7f;              // density below which a particle is on its own
 constexpr scalar atSurface = 0.75f;         // spacings below the surface, of those who tell where it is: its outermost layer
 constexpr scalar closedBelow = 0.3f;        // cells below the surface: more than half a spacing, so that every surface has closed nodes
+constexpr int shapeBits = 18, errorBits = 22;       // of quanta that sums of cells are made of
 
-struct DeepInside
+// Which cell a particle lies in, counted from a box's first.
+struct CellOf
 {
-    FreeSurfaceView surface;
     CellGridView grid;
     WallView walls;
     Span<const Position> x;
+    CoarseBox box = {};
 
     HOST_DEVICE CellBounds operator()(int i) const
     {
-        if (!surface.isInside(i)) return {};
         const CellPlace at = grid.cellPlace(positionAt(walls.place(i, x[i])));
-        return {{at.x, at.y, at.z}, {at.x, at.y, at.z}};
+        const int cell[3] = {at.x - box.lowX, at.y - box.lowY, at.z - box.lowZ};
+        return {{cell[0], cell[1], cell[2]}, {cell[0], cell[1], cell[2]}};
     }
 };
 
-// The particles of one cell of the box: visit(j) for each of them. Others that share its place in the grid are far away.
+// The same of those deep inside.
+struct DeepInside
+{
+    FreeSurfaceView surface;
+    CellOf cell;
+
+    HOST_DEVICE CellBounds operator()(int i) const { return surface.isInside(i) ? cell(i) : CellBounds{}; }
+};
+
+// The particles of one of the cells of the box that a part has a share in: visit(j, r) for each of them, r from the cell's centre on. Others that share its
+// place in the grid are far away.
 struct ParticlesOfCell
 {
     CellGridView grid;
     CoarseBox box;
+    CellsOfBox cells;
     Span<const std::uint32_t> order;        // as they lie in the grid
     Span<const Position> x, start;
 
     template<class Visit>
     HOST_DEVICE void forEach(int cell, Visit visit) const
     {
-        const GridBox::Place at = box.cellAt(cell);
+        const GridBox::Place at = cells.inBox(cell);
         const Vec3 centre = box.width * Vec3{scalar(at.x) + 0.5f, scalar(at.y) + 0.5f, scalar(at.z) + 0.5f};
         const scalar far = 2.5f * box.width;            // they may have moved since they were sorted
         grid.forEachRangeOfCell(at.x + box.lowX, at.y + box.lowY, at.z + box.lowZ, [&](int first, int end)
@@ -56,106 +70,110 @@ struct ParticlesOfCell
             for (int k = first; k < end; ++k)
             {
                 const int j = int(order[k]);
-                const Vec3 r = place(j);
-                if (squared(r - centre) < far * far && isSameImage(box.corner, withBlock(start[j], x[j]))) visit(j, r);
+                const Vec3 r = x[j] - box.corner - centre;
+                if (squared(r) < far * far && isSameImage(box.corner, withBlock(start[j], x[j]))) visit(j, r);
             }
         });
     }
-
-    // From the box's corner on.
-    HOST_DEVICE Vec3 place(int j) const { return x[j] - box.corner; }
 };
 
 struct SumShape
 {
     ParticlesOfCell particles;
-    scalar part;                            // of a cell that a particle fills
     scalar spacing;
     FreeSurfaceView surface;
     Span<const scalar> density;
-    Span<scalar> fill, surfaceFill, surfaceDepth;
-    Span<Vec3> normal;
+    Span<CellShape> shape;
 
     HOST_DEVICE void operator()(int cell) const
     {
-        scalar filled = 0, known = 0, depth = 0;
-        Vec3 into;
+        const scalar perWidth = 1 / particles.box.width;
+        std::int64_t all = 0, known = 0, depth = 0, into[3] = {};
         particles.forEach(cell, [&](int j, Vec3 r)
         {
-            filled += part;
+            ++all;
             if (density[j] < spray)
             {
-                known += part;
-                depth -= part * particles.box.width;
+                ++known;
+                depth -= wholeQuanta(1, shapeBits);
                 return;
             }
             const SurfaceState state = surface(j);
             if (state.depth >= atSurface * spacing) return;
             const Vec3 m = 1 / fmax(norm(state.gradient), 1e-20f) * state.gradient;
-            known += part;
-            into += part * m;
-            depth += part * (state.depth - dot(r, m));
+            ++known;
+            depth += wholeQuanta(perWidth * (state.depth - dot(r, m)), shapeBits);
+            into[0] += wholeQuanta(m.x, shapeBits);
+            into[1] += wholeQuanta(m.y, shapeBits);
+            into[2] += wholeQuanta(m.z, shapeBits);
         });
-        fill[cell] = filled;
-        surfaceFill[cell] = known;
-        surfaceDepth[cell] = depth;
-        normal[cell] = into;
+        shape[cell] = {bounded(all), bounded(known), bounded(depth), {bounded(into[0]), bounded(into[1]), bounded(into[2])}};
     }
+};
+
+struct FillOfCells
+{
+    scalar part;                            // of a cell that a particle fills
+    Span<const CellShape> shape;
+    Span<scalar> fill;
+
+    HOST_DEVICE void operator()(int cell) const { fill[cell] = part * scalar(shape[cell].particles); }
 };
 
 struct OpenNodes
 {
-    CoarseBox box;
-    Span<const scalar> surfaceFill, surfaceDepth;
-    Span<const Vec3> normal;
+    GridBox box;
+    Span<const CellShape> shape;
     Span<std::uint8_t> open;
 
     HOST_DEVICE void operator()(int i) const
     {
-        const GridBox::Place at = box.nodeAt(i);
-        const Vec3 x = box.width * Vec3{scalar(at.x), scalar(at.y), scalar(at.z)};
-        scalar known = 0, depth = 0;
-        Vec3 into;
-        box.forEachCellAround(at, [&](int cell, int, int, int)
+        std::int64_t known = 0, twiceDepth = 0;             // as the node sees it, half a cell from the middle of each along all axes
+        box.forEachCellAround(box.nodeAt(i), [&](int cell, int sx, int sy, int sz)
         {
-            known += surfaceFill[cell];
-            depth += surfaceDepth[cell];
-            into += normal[cell];
+            const CellShape own = shape[cell];
+            known += own.known;
+            twiceDepth += 2 * std::int64_t(own.depth) + std::int64_t(sx) * own.into[0] + std::int64_t(sy) * own.into[1] + std::int64_t(sz) * own.into[2];
         });
-        open[i] = known == 0 || depth + dot(x, into) > closedBelow * box.width * known;
+        constexpr scalar quantum = 1.0f / (1 << shapeBits);
+        open[i] = known == 0 || 0.5f * quantum * scalar(twiceDepth) > closedBelow * scalar(known);
     }
 };
 
 struct SumError
 {
     ParticlesOfCell particles;
-    scalar part;
     Span<const scalar> density;
-    Span<scalar> error;
+    Span<CellError> error;
 
     HOST_DEVICE void operator()(int cell) const
     {
-        scalar sum = 0;
-        particles.forEach(cell, [&](int j, Vec3) { sum += part * fmin(fmax(density[j] - 1, -mostError), mostError); });
-        error[cell] = sum;
+        std::int64_t sum = 0;
+        particles.forEach(cell, [&](int j, Vec3) { sum += wholeQuanta(fmin(fmax(density[j] - 1, -mostError), mostError), errorBits); });
+        error[cell] = {bounded(sum)};
     }
 };
 
 struct SourceOfNodes
 {
     CoarseBox box;
-    Span<const scalar> error, fill;
+    scalar part;                            // of a cell that a particle fills
+    Span<const CellError> error;
+    Span<const scalar> fill;
     Span<const std::uint8_t> open;
     Span<scalar> source;
 
     HOST_DEVICE void operator()(int i) const
     {
-        scalar sum = 0, filled = 0;
+        std::int64_t quanta = 0;
+        scalar filled = 0;
         box.forEachCellAround(box.nodeAt(i), [&](int cell, int, int, int)
         {
-            sum += error[cell];
+            quanta += error[cell].sum;
             filled += fill[cell];
         });
+        constexpr scalar quantum = 1.0f / (1 << errorBits);
+        const scalar sum = part * quantum * scalar(quanta);
         const scalar borne = tolerated * filled, beyond = sum > borne ? sum - borne : fmin(sum + borne, 0);
         source[i] = open[i] ? 0.125f * box.width * box.width * beyond : 0;
     }
@@ -250,8 +268,9 @@ void CoarseCorrection::begin(const Liquid& liquid, const Walls& walls, const Fre
     const Span<const Position> x = liquid.predicted.span();
     const FreeSurfaceView view = surface.view();
     const CellGridView cells = grid_.view();
-    const CellBounds bounds = reduce(liquid.owned(), DeepInside{view, cells, walls.view(liquid), x}, scratch_);
-    if (bounds.low[0] > bounds.high[0]) return;
+    CellOf cellOf{cells, walls.view(liquid), x};
+    const CellBounds bounds = liquid.parts().fold(reduce(liquid.owned(), DeepInside{view, cellOf}, scratch_));
+    if (bounds.isEmpty()) return;
 
     // Those deep inside see the surface from one support away, or from as far as the next layer then is. The nodes around it belong to the box:
     // without closed ones nothing could give way.
@@ -284,18 +303,22 @@ void CoarseCorrection::begin(const Liquid& liquid, const Walls& walls, const Fre
     box_ = box;
     order_ = grid_.build(x, liquid.owned(), {}, liquid.position.span());
 
-    fill_.resizeDiscarding(box.cells());
-    surfaceFill_.resizeDiscarding(box.cells());
-    surfaceDepth_.resizeDiscarding(box.cells());
-    ofCells_.resizeDiscarding(box.cells());
-    open_.resizeDiscarding(box.nodes());
-    const scalar part = liquid.particleVolume() / (width * width * width);
-    forEach(box.cells(), SumShape
+    CellBounds own{{0, 0, 0}, {box.x - 1, box.y - 1, box.z - 1}};
+    cellOf.box = box;
+    if (liquid.parts().parts() > 1) own = reduce(liquid.owned(), cellOf, scratch_);
+    shares_.set(liquid.ghosts(), box, own);
+    filledBy_ = liquid.particleVolume() / (width * width * width);
+
+    Buffer<CellShape> share(shares_.own().cells()), shape;
+    forEach(share.size(), SumShape
     {
-        {grid_.view(), box, order_.span(), x, liquid.position.span()}, part, liquid.spacing(), view, liquid.density.span(), fill_.span(), surfaceFill_.span(),
-        surfaceDepth_.span(), ofCells_.span()
+        {grid_.view(), box, shares_.own(), order_.span(), x, liquid.position.span()}, liquid.spacing(), view, liquid.density.span(), share.span()
     });
-    forEach(box.nodes(), OpenNodes{box, surfaceFill_.span(), surfaceDepth_.span(), ofCells_.span(), open_.span()});
+    shares_.addUp(liquid.ghosts(), share, shape);
+    fill_.resizeDiscarding(box.cells());
+    open_.resizeDiscarding(box.nodes());
+    forEach(box.cells(), FillOfCells{filledBy_, std::as_const(shape).span(), fill_.span()});
+    forEach(box.nodes(), OpenNodes{box, std::as_const(shape).span(), open_.span()});
     poisson_.begin(box, fill_, open_);
 }
 
@@ -303,19 +326,21 @@ void CoarseCorrection::apply(Liquid& liquid)
 {
     if (box_.cells() == 0) return;
     constexpr int cycles = 2;
-    error_.resizeDiscarding(box_.cells());
+    errorShare_.resizeDiscarding(shares_.own().cells());
+    ofCells_.resizeDiscarding(box_.cells());
     ofNodes_.resizeDiscarding(box_.nodes());
     known_.resizeDiscarding(box_.nodes());
-    const scalar part = liquid.particleVolume() / (box_.width * box_.width * box_.width);
-    forEach(box_.cells(), SumError
+    forEach(errorShare_.size(), SumError
     {
-        {grid_.view(), box_, order_.span(), liquid.predicted.span(), liquid.position.span()}, part, liquid.density.span(), error_.span()
+        {grid_.view(), box_, shares_.own(), order_.span(), liquid.predicted.span(), liquid.position.span()}, liquid.density.span(), errorShare_.span()
     });
-    forEach(box_.nodes(), SourceOfNodes{box_, error_.span(), fill_.span(), open_.span(), poisson_.source()});
+    shares_.addUp(liquid.ghosts(), errorShare_, error_);
+    forEach(box_.nodes(), SourceOfNodes{box_, filledBy_, std::as_const(error_).span(), fill_.span(), open_.span(), poisson_.source()});
     poisson_.solve(cycles);
     forEach(box_.cells(), GradientOfCells{box_, poisson_.solution(), ofCells_.span()});
     forEach(box_.nodes(), GradientOfNodes{box_, fill_.span(), ofCells_.span(), ofNodes_.span(), known_.span()});
     forEach(liquid.owned(), MoveApart{box_, farthest * liquid.spacing(), ofNodes_.span(), known_.span(), liquid.predicted.span()});
+    liquid.ghosts().copy({placesOf(liquid.predicted)}, GhostsOf::lists);
 }
 
 }

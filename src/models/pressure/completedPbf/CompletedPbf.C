@@ -246,7 +246,7 @@ public:
 
     void complete() override { steady_.complete(); }
 
-    bool seesGhosts() const override { return !coarse_; }
+    bool seesGhosts() const override { return true; }
     int iterations() const override { return iterations_; }
     const Buffer<scalar>* keepPressure() override { return &pressure_; }
 

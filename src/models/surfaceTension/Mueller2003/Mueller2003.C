@@ -81,12 +81,15 @@ public:
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
         computePredictedDensity(liquid, near, walls, density_);
+        liquid.ghosts().copy({valuesOf(density_)}, GhostsOf::lists);
         forEach(liquid.owned(), ColourForce
         {
             W_, liquid.particleVolume(), sigma_, liquid.restDensity(), least_, liquid.predicted.span(),
             density_.span(), near.view(), acceleration.span()
         });
     }
+
+    bool seesGhosts() const override { return true; }
 
 private:
     Poly6 W_;

@@ -95,6 +95,8 @@ public:
         CurvatureTension(coeffs, liquid, surface)
     {}
 
+    bool seesGhosts() const override { return true; }
+
 private:
     void add
     (
@@ -109,6 +111,7 @@ private:
             sums_.upload(tabulateSurfaceLayer(W, liquid.spacing(), most));
             parts_.upload(tabulateDeeperPart(W));
         }
+        liquid.ghosts().copy({valuesOf(surface_.particles(), field.curvature)}, GhostsOf::lists);
         forEachTeam(surface_.particles(), Force
         {
             W, {sums_.span(), parts_.span(), most}, sigma_, liquid.restDensity(), surface_.steepest(),

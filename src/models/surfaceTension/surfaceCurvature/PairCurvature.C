@@ -122,7 +122,9 @@ CurvatureField PairCurvature::operator()(const Liquid& liquid, const Neighbourho
     CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
     const FreeSurfaceView view = surface_.view();
     const SelectedSearch among = near.wide(liquid, surface_.particles(), surface_.position());
+    surface_.copyGradient(liquid);
     forEachGroup(surface_.particles(), SmoothNormal{W, surface_.steepest(), view, among, field.normal.span()});
+    liquid.ghosts().copy({valuesOf(surface_.particles(), field.normal)});
     forEachGroup(surface_.particles(), Curvature
     {
         W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), among,

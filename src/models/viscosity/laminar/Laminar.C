@@ -65,6 +65,7 @@ public:
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
         diffused_.resizeDiscarding(liquid.all());
+        liquid.ghosts().copy({valuesOf(liquid.position), valuesOf(liquid.velocity)}, GhostsOf::lists);
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -80,6 +81,7 @@ public:
         liquid.velocity.swap(diffused_);
     }
 
+    bool seesGhosts() const override { return true; }
     double stepLimit(const LiquidProperties& p) const override { return 0.125 * p.spacing * p.spacing / p.viscosity; }
 
 private:

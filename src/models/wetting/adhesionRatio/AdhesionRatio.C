@@ -33,6 +33,8 @@ public:
         }
     }
 
+    bool seesGhosts() const override { return true; }
+
     void apply(Liquid& liquid, const Neighbourhood&, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
         if (walls.particles() + walls.surfaces() > 0) attraction_->attractToWalls(liquid, walls, acceleration);

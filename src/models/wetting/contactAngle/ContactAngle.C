@@ -32,7 +32,7 @@ struct SolidNormal
     Kernel W;
     scalar volume;
     CellGridView grid;
-    Span<const Position> x;
+    Span<const Position> x, start;          // start: with the block, in the place of which iterations of the pressure may have put a number
     Span<const scalar> density;
 
     HOST_DEVICE Vec3 operator()(Position place, Vec3 wallNormal) const
@@ -42,7 +42,7 @@ struct SolidNormal
         if (choice == zero) return sum;
         grid.forEachCandidate(AroundPoint{place, W.h}, [&](int j)
         {
-            if (!isSameImage(place, x[j])) return;
+            if (grid.looksAtImages() && !isSameImage(place, withBlock(start[j], x[j]))) return;
             const Vec3 r = place - x[j];
             sum += volume / density[j] * W.g(norm(r)) * r;
         });
@@ -99,17 +99,21 @@ public:
         gamma_(requirePairCoefficients(tension, coeffs)),
         solidNormal_(coeffs.lookupChoiceOr("solidNormal", {"SPH", "wall", "zero"}, "SPH")),
         normal_(liquid.fields().require<Vec3>({.name = "normal", .dimensions = dimensions::none, .sorted = false})),
-        density_(requirePredictedDensity(liquid))
+        density_(requirePredictedDensity(liquid)),
+        reach_(solidNormal_ == "SPH" ? 2 * liquid.support() : 0)
     {}
 
     bool active() const override { return true; }
 
-    // Normals of solid particles are sums over liquid that is farther away than ghosts are.
-    bool seesGhosts() const override { return solidNormal_ != "SPH"; }
+    bool seesGhosts() const override { return true; }
+
+    // Normals of solid particles within the support are sums over liquid within theirs.
+    scalar reach() const override { return reach_; }
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
         if (walls.particles() + walls.surfaces() == 0) return;
+        if (reach_ > 0) liquid.ghosts().copy({valuesOf(density_), valuesOf(liquid.position)});
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -121,7 +125,7 @@ public:
                     {liquid.support()}, gamma_, liquid.restDensity(), liquid.spacing(),
                     {
                         choice, W, liquid.particleVolume(), near.grid().view(), liquid.predicted.span(),
-                        density_.span()
+                        liquid.position.span(), density_.span()
                     },
                     liquid.predicted.span(), normal_.span(), density_.span(), walls.view(liquid), acceleration.span()
                 });
@@ -135,6 +139,7 @@ private:
     std::string solidNormal_;
     Buffer<Vec3>& normal_;
     Buffer<scalar>& density_;               // computed by the tension
+    scalar reach_;
 };
 
 const WettingTable::Add<ContactAngle> registered{"contactAngle", "the contact angle steers the pair force of solids (Fujisawa, Imai and Mikawa 2014)"};
