@@ -17,6 +17,7 @@
 #include "core/fieldFile/CsvFile.H"
 #include "device/Reduce.H"
 #include "functionObjects/FunctionObject.H"
+#include "maths/WholeSum.H"
 
 #include <algorithm>
 #include <utility>
@@ -27,10 +28,10 @@ namespace shizuku
 namespace
 {
 
+// Of whole quanta: the same in any order, and of any parts.
 struct ProbeSums
 {
-    double fill = 0, weight = 0, density = 0, pressure = 0;
-    double velocity[3] = {0, 0, 0};
+    WideSum fill, weight, density, pressure, velocity[3];
 
     HOST_DEVICE void add(const ProbeSums& other)
     {
@@ -56,16 +57,16 @@ struct Weighted
         ProbeSums sums;
         const Vec3 r = point - position[j];
         if (squared(r) >= W.h * W.h || !isSameImage(point, position[j])) return sums;
-        const scalar W_j = W.W(norm(r));
+        const double W_j = W.W(norm(r));
         if (W_j == 0) return sums;
-        const scalar weight = W_j / density[j];
-        sums.fill = W_j;
-        sums.weight = weight;
-        sums.density = weight * density[j];
-        if (pressure.size > 0) sums.pressure = weight * pressure[j];
-        sums.velocity[0] = weight * velocity[j].x;
-        sums.velocity[1] = weight * velocity[j].y;
-        sums.velocity[2] = weight * velocity[j].z;
+        const double weight = W_j / density[j];
+        sums.fill = wideQuanta(W_j);
+        sums.weight = wideQuanta(weight);
+        sums.density = wideQuanta(weight * density[j]);
+        if (pressure.size > 0) sums.pressure = wideQuanta(weight * pressure[j]);
+        sums.velocity[0] = wideQuanta(weight * velocity[j].x);
+        sums.velocity[1] = wideQuanta(weight * velocity[j].y);
+        sums.velocity[2] = wideQuanta(weight * velocity[j].z);
         return sums;
     }
 };
@@ -84,9 +85,15 @@ public:
 
     void execute(FlowView& flow) override
     {
-        for (std::size_t probe = 0; probe < places_.size(); ++probe) table_.addRow(row(flow, probe));
+        for (std::size_t probe = 0; probe < places_.size(); ++probe)
+        {
+            const ProbeSums sums = flow.parts().fold(sumsAt(flow.part(), places_[probe]));
+            if (flow.parts().part() == 0) table_.addRow(row(flow, probe, sums));
+        }
     }
 
+    bool measuresInParts() const override { return true; }
+    bool looksAtParticles() const override { return false; }
     const CsvFile* table() const override { return &table_; }
 
     std::string needsOfRun() const override { return asked("p") ? "the pressure p, which is not read from stored times" : ""; }
@@ -129,19 +136,18 @@ private:
         return result;
     }
 
-    std::vector<CsvFile::Cell> row(FlowView& flow, std::size_t probe)
+    std::vector<CsvFile::Cell> row(FlowView& flow, std::size_t probe, const ProbeSums& sums) const
     {
-        const Liquid& liquid = flow.liquid();
+        const Liquid& liquid = flow.part();
         const auto& x = places_[probe];
-        const ProbeSums sums = sumsAt(liquid, x);
         // 0/0 where there is no liquid: not a number
-        const double velocity = liquid.units().of(dimensions::velocity) / sums.weight;
+        const double weight = valueOf(sums.weight), velocity = liquid.units().of(dimensions::velocity) / weight;
         const double rho0 = flow.properties().density, pascal = liquid.units().of(dimensions::pressure);
         std::vector<CsvFile::Cell> cells{flow.time.value(), double(probe), x[0], x[1], x[2]};
-        cells.emplace_back(sums.fill * liquid.particleVolume() / liquid.latticeSum());
-        if (asked("rho")) cells.emplace_back(rho0 * sums.density / sums.weight);
-        if (asked("U")) for (const double u : sums.velocity) cells.emplace_back(u * velocity);
-        if (asked("p")) cells.emplace_back(pressure_ ? pascal * sums.pressure / sums.weight : NAN);
+        cells.emplace_back(valueOf(sums.fill) * liquid.particleVolume() / liquid.latticeSum());
+        if (asked("rho")) cells.emplace_back(rho0 * valueOf(sums.density) / weight);
+        if (asked("U")) for (const WideSum& u : sums.velocity) cells.emplace_back(valueOf(u) * velocity);
+        if (asked("p")) cells.emplace_back(pressure_ ? pascal * valueOf(sums.pressure) / weight : NAN);
         return cells;
     }
 
