@@ -217,17 +217,22 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
     particles_.ghosts = liquid.all() - liquid.owned();
     select(isNear, particles_, room_, readCount_);
     asked_ = true;
-    if (room_ == 0)                             // the first one: nobody knows of the contact lines yet
+    const bool begins = room_ == 0;
+    if (begins && cutOff())
     {
-        if (cutOff()) makeRoom();
+        makeRoom();
         select(isNear, particles_, room_, readCount_);
-        reconstruct(liquid, near, walls, false);
-        if (cutOff()) makeRoom();
     }
-    reconstruct(liquid, near, walls, true);
+    reconstruct(liquid, near, walls);
+    if (begins && cutOff())
+    {
+        makeRoom();
+        reconstruct(liquid, near, walls);
+    }
+    liquid.ghosts().copy({valuesOf(particles_, position_)});
 }
 
-void FreeSurface::reconstruct(const Liquid& liquid, const Neighbourhood& near, const Walls& walls, bool forGhosts)
+void FreeSurface::reconstruct(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
 {
     position_.resizeDiscarding(room_);
     asShared(near.wide(liquid), [&]<class Search>(const Search& wide)
@@ -239,15 +244,12 @@ void FreeSurface::reconstruct(const Liquid& liquid, const Neighbourhood& near, c
         anyContact_.resize(1);
         anyContact_.setZero();
     }
-    const Reconstruct reconstruct
+    forEachTeam(particles_, Reconstruct
     {
         liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view(liquid)}, plane(), steepest_},
         depthOfRatio_.span(), largestRatio_, suction_, particles_.before.span(), gradient_.span(), depth_.span(), position_.span(),
         foundContact_ ? contact_.span() : Span<ContactLine>{}, anyContact_.span()
-    };
-    Columns made;
-    if (forGhosts) made.push_back(valuesOf(particles_, position_));
-    liquid.ghosts().forEachTeam(particles_, reconstruct, {}, made, GhostsOf::all);
+    });
     if (foundContact_) return;
     readContact_.ask(anyContact_);
     askedContact_ = true;

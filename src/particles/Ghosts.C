@@ -95,12 +95,12 @@ void Ghosts::findEdge()
 {
     const int n = Chunks::countOf(owned_);
     Buffer<std::uint32_t> seen(n);
-    isEdge_.resizeDiscarding(n);
+    Buffer<std::uint8_t> isEdge(n);
     seen.setZero();
     forEach(exchange_.sent().size(), CountSeen{std::as_const(exchange_).sent().span(), seen.span()});
-    forEach(n, IsSeen{seen.span(), isEdge_.span()});
+    forEach(n, IsSeen{seen.span(), isEdge.span()});
     Selection edge;
-    select(isEdge_, edge, n, readEdges_);
+    select(isEdge, edge, n, readEdges_);
     chunks_.resizeDiscarding(n);
     edges_.reset();
     forEach(n, EdgeFirst{edge.before.span(), chunks_.span()});

@@ -111,11 +111,12 @@ private:
             sums_.upload(tabulateSurfaceLayer(W, liquid.spacing(), most));
             parts_.upload(tabulateDeeperPart(W));
         }
-        liquid.ghosts().forEachTeam(surface_.particles(), Force
+        liquid.ghosts().copy({valuesOf(surface_.particles(), field.curvature)}, GhostsOf::lists);
+        forEachTeam(surface_.particles(), Force
         {
             W, {sums_.span(), parts_.span(), most}, sigma_, liquid.restDensity(), surface_.steepest(),
             followed(), near.view(), surface_.view(), field.normal.span(), field.curvature.span(), surface_.gradient(), target
-        }, {valuesOf(surface_.particles(), field.curvature)}, {});
+        });
     }
 
     Buffer<scalar> sums_, parts_;           // J and psi (SurfaceLayer.H)

@@ -219,25 +219,25 @@ private:
         if (!extended_) extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
         const FreeSurfaceView view = surface_.view();
         Buffer<KernelDeficiency> deficiency(surface_.particles().indices.size());
-        const Column known = valuesOf(surface_.particles(), deficiency);
-        if (surface_.agreed().orderRemoved == 0) measure(liquid, near, walls, field, NoOrderStress{}, {}, deficiency, known);
+        if (surface_.agreed().orderRemoved == 0) measure(liquid, near, walls, field, NoOrderStress{}, {}, deficiency);
         else
         {
             Buffer<scalar> taken(surface_.particles().indices.size());
-            const OrderStress stress{surface_.agreed().orderRemoved, 0.5f * liquid.spacing()};
-            measure(liquid, near, walls, field, stress, taken.span(), deficiency, valuesOf(surface_.particles(), taken));
+            measure(liquid, near, walls, field, OrderStress{surface_.agreed().orderRemoved, 0.5f * liquid.spacing()}, taken.span(), deficiency);
+            liquid.ghosts().copy({valuesOf(surface_.particles(), taken)}, GhostsOf::lists);
             std::visit
             (
                 [&]<class Kernel>(const Kernel& W)
                 {
-                    liquid.ghosts().forEachTeam(surface_.particles(), RemoveOrderStress<Kernel>
+                    forEachTeam(surface_.particles(), RemoveOrderStress<Kernel>
                     {
                         W, liquid.particleVolume(), liquid.predicted.span(), near.view(), view, field.normal.span(), taken.span(), deficiency.span()
-                    }, {}, {known});
+                    });
                 },
                 liquid.kernel()
             );
         }
+        liquid.ghosts().copy({valuesOf(surface_.particles(), deficiency)}, GhostsOf::lists);
         forEachTeam(surface_.particles(), ApplyLaplacePressure
         {
             surface_.kernel(), sigma_, liquid.spacing(), liquid.restDensity(), followed(), near.view(), view, field.normal.span(), deficiency.span(),
@@ -245,24 +245,23 @@ private:
         });
     }
 
-    // made: what ghosts get of it.
     template<class Stress>
     void measure
     (
         const Liquid& liquid, const Neighbourhood& near, const Walls& walls, const CurvatureField& field, const Stress& stress,
-        Span<scalar> taken, Buffer<KernelDeficiency>& deficiency, const Column& made
+        Span<scalar> taken, Buffer<KernelDeficiency>& deficiency
     )
     {
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                liquid.ghosts().forEachTeam(surface_.particles(), MeasureDeficiency<Kernel, Stress>
+                forEachTeam(surface_.particles(), MeasureDeficiency<Kernel, Stress>
                 {
                     W, liquid.particleVolume(), liquid.particleVolume() / liquid.latticeSum(), liquid.spacing(), surface_.agreed().ordering,
                     liquid.predicted.span(), near.view(), {extended_->view(), W.h, walls.view(liquid)}, surface_.view(),
                     {plane_.span(), W.h}, field.curvature.span(), deficiency.span(), stress, taken
-                }, {}, {made});
+                });
             },
             liquid.kernel()
         );

@@ -84,10 +84,11 @@ void CurvatureAtStart::bring(CurvatureField& field, const Liquid& liquid, const 
     {
         view, field.normal.span(), field.curvature.span(), std::as_const(before_).span(), now_.span(), change.span()
     });
-    liquid.ghosts().forEachTeam(surface.particles(), TakeBack
+    liquid.ghosts().copy({valuesOf(surface.particles(), change)}, GhostsOf::lists);
+    forEachTeam(surface.particles(), TakeBack
     {
         surface.kernel(), near.view(), view, field.normal.span(), change.span(), share, field.curvature.span()
-    }, {valuesOf(surface.particles(), change)}, {});
+    });
 }
 
 void CurvatureAtStart::endStep()

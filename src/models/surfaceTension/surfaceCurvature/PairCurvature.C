@@ -122,13 +122,14 @@ CurvatureField PairCurvature::operator()(const Liquid& liquid, const Neighbourho
     CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
     const FreeSurfaceView view = surface_.view();
     const SelectedSearch among = near.wide(liquid, surface_.particles(), surface_.position());
-    const Ghosts& ghosts = liquid.ghosts();
-    ghosts.forEachGroup(surface_.particles(), SmoothNormal{W, surface_.steepest(), view, among, field.normal.span()}, {surface_.gradients()});
-    ghosts.forEachGroup(surface_.particles(), Curvature
+    surface_.copyGradient(liquid);
+    forEachGroup(surface_.particles(), SmoothNormal{W, surface_.steepest(), view, among, field.normal.span()});
+    liquid.ghosts().copy({valuesOf(surface_.particles(), field.normal)});
+    forEachGroup(surface_.particles(), Curvature
     {
         W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), among,
         surface_.particles().indices.span(), extended_->view(), walls.view(liquid), field.curvature.span()
-    }, {valuesOf(surface_.particles(), field.normal)});
+    });
     return field;
 }
 

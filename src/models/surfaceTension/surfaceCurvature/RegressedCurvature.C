@@ -183,13 +183,14 @@ CurvatureField RegressedCurvature::operator()(const Liquid& liquid, const Neighb
     CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
     const FreeSurfaceView view = surface_.view();
     forEach(surface_.particles(), OutwardNormal{surface_.plane(), surface_.steepest(), view, walls.view(liquid), field.normal.span()});
+    liquid.ghosts().copy({valuesOf(surface_.particles(), field.normal)});
     asShared(near.wide(liquid, surface_.particles(), surface_.position()), [&]<class Search>(const Search& among)
     {
-        liquid.ghosts().forEachGroup(surface_.particles(), Regress<Search>
+        forEachGroup(surface_.particles(), Regress<Search>
         {
             W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), among,
             surface_.particles().indices.span(), extended_->view(), walls.view(liquid), field.curvature.span()
-        }, {valuesOf(surface_.particles(), field.normal)});
+        });
     });
     return field;
 }
