@@ -19,6 +19,7 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     models/Models.C
     models/forces/InterParticleForces.C
     models/pressure/Pressure.C
+    models/pressure/completedPbf/CellShares.C
     models/pressure/none/none.C
     models/pressure/shared/IterationControls.C
     models/pressure/shared/PressureControls.C

@@ -229,7 +229,6 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
         makeRoom();
         reconstruct(liquid, near, walls);
     }
-    liquid.ghosts().copy({valuesOf(particles_, position_)});
 }
 
 void FreeSurface::reconstruct(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)

@@ -69,8 +69,7 @@ struct MeasureDeficiency
     WallContribution walls;                   // of the density's kernel
     FreeSurfaceView surface;
     HalfSpaceView plane;                    // of the density's kernel
-    Span<const scalar> curvature;
-    Span<KernelDeficiency> deficiency;
+    Span<KernelDeficiency> deficiency;      // but for the curvature
     Stress stress;
     Span<scalar> taken;                     // t
 
@@ -92,11 +91,24 @@ struct MeasureDeficiency
         const scalar density = (densityVolume * liquid.W + wall.value) / (1 - gas.density);
         const scalar atWall = fmin(wall.value / plane(0.5f * spacing).density, 1);
         const scalar missing = dot(liquid.gradient + wall.gradient, G) / fmax(norm(G), 1e-20f);
-        deficiency[k] = {planar, ordering * (missing - planar), 1 - atWall * (1 - density), curvature[k]};
+        deficiency[k] = {planar, ordering * (missing - planar), 1 - atWall * (1 - density), 0};
     }
 };
 
-// Takes out of the disorder what the pressure takes out of the order's stress.
+struct AddCurvature
+{
+    FreeSurfaceView surface;
+    Span<const scalar> curvature;
+    Span<KernelDeficiency> deficiency;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const int k = int(surface.place[i]);
+        deficiency[k].curvature = curvature[k];
+    }
+};
+
+// The same, and takes out of the disorder what the pressure takes out of the order's stress.
 template<class Kernel>
 struct RemoveOrderStress
 {
@@ -109,7 +121,7 @@ struct RemoveOrderStress
     FreeSurfaceView surface;
     Span<const Vec3> normal;
     Span<const scalar> taken;               // t
-    Span<KernelDeficiency> deficiency;
+    AddCurvature addCurvature;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
@@ -129,7 +141,9 @@ struct RemoveOrderStress
             sum += slope * (own * along + 0.5f * taken[l] * (3 * dot(r, m) * dot(m, n) - along));
         }, team);
         sum = team.sum(sum);
-        if (team.first()) deficiency[k].disorder -= 1.0f / 3 * volume * sum;
+        if (!team.first()) return;
+        addCurvature(i);
+        addCurvature.deficiency[k].disorder -= 1.0f / 3 * volume * sum;
     }
 };
 
@@ -210,47 +224,58 @@ public:
     bool seesGhosts() const override { return true; }
 
 private:
+    void measure(const Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
+    {
+        if (!extended_) extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
+        const int room = surface_.particles().indices.size();
+        deficiency_.resizeDiscarding(room);
+        const scalar removed = surface_.agreed().orderRemoved;
+        taken_.resizeDiscarding(removed > 0 ? room : 0);
+        if (removed > 0) measure(liquid, near, walls, OrderStress{removed, 0.5f * liquid.spacing()});
+        else measure(liquid, near, walls, NoOrderStress{});
+    }
+
+    Columns measured() override
+    {
+        if (surface_.agreed().orderRemoved > 0) return {valuesOf(surface_.particles(), taken_)};
+        return {};
+    }
+
     void add
     (
-        const Liquid& liquid, const Neighbourhood& near, const Walls& walls, CurvatureField& field,
+        const Liquid& liquid, const Neighbourhood& near, const Walls&, CurvatureField& field,
         ForceTarget target
     ) override
     {
-        if (!extended_) extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
         const FreeSurfaceView view = surface_.view();
-        Buffer<KernelDeficiency> deficiency(surface_.particles().indices.size());
-        if (surface_.agreed().orderRemoved == 0) measure(liquid, near, walls, field, NoOrderStress{}, {}, deficiency);
-        else
+        const AddCurvature addCurvature{view, field.curvature.span(), deficiency_.span()};
+        if (surface_.agreed().orderRemoved > 0)
         {
-            Buffer<scalar> taken(surface_.particles().indices.size());
-            measure(liquid, near, walls, field, OrderStress{surface_.agreed().orderRemoved, 0.5f * liquid.spacing()}, taken.span(), deficiency);
-            liquid.ghosts().copy({valuesOf(surface_.particles(), taken)}, GhostsOf::lists);
             std::visit
             (
                 [&]<class Kernel>(const Kernel& W)
                 {
                     forEachTeam(surface_.particles(), RemoveOrderStress<Kernel>
                     {
-                        W, liquid.particleVolume(), liquid.predicted.span(), near.view(), view, field.normal.span(), taken.span(), deficiency.span()
+                        W, liquid.particleVolume(), liquid.predicted.span(), near.view(), view, field.normal.span(), taken_.span(), addCurvature
                     });
                 },
                 liquid.kernel()
             );
         }
-        liquid.ghosts().copy({valuesOf(surface_.particles(), deficiency)}, GhostsOf::lists);
+        else forEach(surface_.particles(), addCurvature);
+        taken_ = {};
+        liquid.ghosts().copy({valuesOf(surface_.particles(), deficiency_)}, GhostsOf::lists);
         forEachTeam(surface_.particles(), ApplyLaplacePressure
         {
-            surface_.kernel(), sigma_, liquid.spacing(), liquid.restDensity(), followed(), near.view(), view, field.normal.span(), deficiency.span(),
+            surface_.kernel(), sigma_, liquid.spacing(), liquid.restDensity(), followed(), near.view(), view, field.normal.span(), deficiency_.span(),
             surface_.gradient(), target
         });
+        deficiency_ = {};
     }
 
     template<class Stress>
-    void measure
-    (
-        const Liquid& liquid, const Neighbourhood& near, const Walls& walls, const CurvatureField& field, const Stress& stress,
-        Span<scalar> taken, Buffer<KernelDeficiency>& deficiency
-    )
+    void measure(const Liquid& liquid, const Neighbourhood& near, const Walls& walls, const Stress& stress)
     {
         std::visit
         (
@@ -260,7 +285,7 @@ private:
                 {
                     W, liquid.particleVolume(), liquid.particleVolume() / liquid.latticeSum(), liquid.spacing(), surface_.agreed().ordering,
                     liquid.predicted.span(), near.view(), {extended_->view(), W.h, walls.view(liquid)}, surface_.view(),
-                    {plane_.span(), W.h}, field.curvature.span(), deficiency.span(), stress, taken
+                    {plane_.span(), W.h}, deficiency_.span(), stress, taken_.span()
                 });
             },
             liquid.kernel()
@@ -269,6 +294,8 @@ private:
 
     Buffer<HalfSpaceValues> plane_;
     std::optional<ExtendedLiquid> extended_;        // of the density's kernel
+    Buffer<KernelDeficiency> deficiency_;           // while the force is found, as t
+    Buffer<scalar> taken_;
 };
 
 const SurfaceTensionTable::Add<LaplacePressure> registered{"laplacePressure", "Laplace's pressure on the free surface"};

@@ -8,12 +8,13 @@ namespace
 {
 
 // Single normals are tilted by a few degrees where the particles stand in layers along a wall; their mean is not.
+template<class Search>
 struct SmoothNormal
 {
     WendlandC2 W;
     scalar steepest;                        // the planar |G|
     FreeSurfaceView surface;
-    SelectedSearch near;
+    Search near;
     Span<Vec3> normal;                      // with w = b; zero away from the surface
 
     HOST_DEVICE void operator()(Group places, Team team) const
@@ -46,13 +47,14 @@ struct SmoothNormal
     }
 };
 
+template<class Search>
 struct Curvature
 {
     WendlandC2 W;
     scalar volume, largest;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                // with w = b
-    SelectedSearch near;                    // among positions with w = depth
+    Search near;                    // among positions with w = depth
     Span<const std::uint32_t> selected;
     ExtendedLiquidView extended;
     WallView walls;
@@ -114,23 +116,35 @@ PairCurvature::PairCurvature(const Dictionary& coeffs, const Liquid& liquid, Fre
     requireSurface(coeffs, liquid, surface, sigma);
 }
 
-CurvatureField PairCurvature::operator()(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
+CurvatureField PairCurvature::normals(const Liquid& liquid, const Neighbourhood& near, const Walls&)
+{
+    const int room = surface_.particles().indices.size();
+    CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
+    liquid.ghosts().copy({surface_.positions(), surface_.gradients()});
+    asShared(near.wide(liquid, surface_.particles(), surface_.position()), [&]<class Search>(const Search& among)
+    {
+        forEachGroup(surface_.particles(), SmoothNormal<Search>{surface_.kernel(), surface_.steepest(), surface_.view(), among, field.normal.span()});
+    });
+    return field;
+}
+
+Columns PairCurvature::read(CurvatureField& field) const
+{
+    return {valuesOf(surface_.particles(), field.normal)};
+}
+
+void PairCurvature::curvatures(CurvatureField& field, const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
 {
     const WendlandC2 W = surface_.kernel();
     if (!extended_) extended_.emplace(W, walls.contactAngles(W.h), weightsByDepth(W, surface_.steepest()));
-    const int room = surface_.particles().indices.size();
-    CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
-    const FreeSurfaceView view = surface_.view();
-    const SelectedSearch among = near.wide(liquid, surface_.particles(), surface_.position());
-    surface_.copyGradient(liquid);
-    forEachGroup(surface_.particles(), SmoothNormal{W, surface_.steepest(), view, among, field.normal.span()});
-    liquid.ghosts().copy({valuesOf(surface_.particles(), field.normal)});
-    forEachGroup(surface_.particles(), Curvature
+    asShared(near.wide(liquid, surface_.particles(), surface_.position()), [&]<class Search>(const Search& among)
     {
-        W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), among,
-        surface_.particles().indices.span(), extended_->view(), walls.view(liquid), field.curvature.span()
+        forEachGroup(surface_.particles(), Curvature<Search>
+        {
+            W, liquid.particleVolume(), largestCurvature(liquid), surface_.view(), field.normal.span(), among,
+            surface_.particles().indices.span(), extended_->view(), walls.view(liquid), field.curvature.span()
+        });
     });
-    return field;
 }
 
 }

@@ -175,24 +175,31 @@ RegressedCurvature::RegressedCurvature(const Dictionary& coeffs, const Liquid& l
     requireSurface(coeffs, liquid, surface, sigma);
 }
 
-CurvatureField RegressedCurvature::operator()(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
+CurvatureField RegressedCurvature::normals(const Liquid& liquid, const Neighbourhood&, const Walls& walls)
+{
+    const int room = surface_.particles().indices.size();
+    CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
+    forEach(surface_.particles(), OutwardNormal{surface_.plane(), surface_.steepest(), surface_.view(), walls.view(liquid), field.normal.span()});
+    return field;
+}
+
+Columns RegressedCurvature::read(CurvatureField& field) const
+{
+    return {surface_.positions(), valuesOf(surface_.particles(), field.normal)};
+}
+
+void RegressedCurvature::curvatures(CurvatureField& field, const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
 {
     const WendlandC2 W = surface_.kernel();
     if (!extended_) extended_.emplace(W, walls.contactAngles(W.h), weightsByDepth(W, surface_.steepest()), WedgePart::ahead);
-    const int room = surface_.particles().indices.size();
-    CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
-    const FreeSurfaceView view = surface_.view();
-    forEach(surface_.particles(), OutwardNormal{surface_.plane(), surface_.steepest(), view, walls.view(liquid), field.normal.span()});
-    liquid.ghosts().copy({valuesOf(surface_.particles(), field.normal)});
     asShared(near.wide(liquid, surface_.particles(), surface_.position()), [&]<class Search>(const Search& among)
     {
         forEachGroup(surface_.particles(), Regress<Search>
         {
-            W, liquid.particleVolume(), largestCurvature(liquid), view, field.normal.span(), among,
+            W, liquid.particleVolume(), largestCurvature(liquid), surface_.view(), field.normal.span(), among,
             surface_.particles().indices.span(), extended_->view(), walls.view(liquid), field.curvature.span()
         });
     });
-    return field;
 }
 
 }

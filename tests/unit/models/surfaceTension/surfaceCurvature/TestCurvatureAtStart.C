@@ -26,7 +26,8 @@ public:
         auto points = points_;
         for (Vec3& x : points) x = size * x;
         move(points);
-        CurvatureField field = curvature_(liquid, near, walls);
+        CurvatureField field = curvature_.normals(liquid, near, walls);
+        curvature_.curvatures(field, liquid, near, walls);
         if (brought) atStart_.bring(field, liquid, near, surface, share);
         if (brought && ends) atStart_.endStep();
         const int found = int(surface.particles().before.download().back());

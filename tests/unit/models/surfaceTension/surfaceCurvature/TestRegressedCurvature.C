@@ -44,7 +44,8 @@ std::vector<SeenCurvature> curvaturesOf(LiquidCase& drop, const std::vector<Vec3
     const Dictionary coeffs = Dictionary::parse("", "constant/models");
     RegressedCurvature curvature(coeffs, drop.liquid, drop.surface, 1);
     drop.place(points);
-    const CurvatureField field = curvature(drop.liquid, drop.near, drop.walls);
+    CurvatureField field = curvature.normals(drop.liquid, drop.near, drop.walls);
+    curvature.curvatures(field, drop.liquid, drop.near, drop.walls);
     const int found = int(drop.surface.particles().before.download().back());
     const auto kappa = download(field.curvature, found);
     const auto normal = download(field.normal, found);
