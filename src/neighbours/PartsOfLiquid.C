@@ -25,6 +25,22 @@ struct Leaver
     int y, z;
 };
 
+// Of particles at the edge, those in other rows, by their places among these.
+struct MarkLeavers
+{
+    CellGridView grid;
+    RowRectangle rows;                          // of the part
+    Span<const std::uint32_t> before;           // of each particle, at the edge
+    Span<const Position> x;
+    Span<std::uint8_t> leaves;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const CellPlace cell = grid.cellPlace(x[i]);
+        leaves[int(before[i])] = !rows.has(cell.y, cell.z);
+    }
+};
+
 struct FindLeaver
 {
     CellGridView grid;
@@ -40,10 +56,21 @@ struct FindLeaver
     }
 };
 
+// Who is at the edge once particles have left and come: these were put into the places of those, or behind the others, of which the last may be gone.
+struct AtEdge
+{
+    Span<const std::uint32_t> before;
+    std::uint32_t owned;                        // before
+    Span<std::uint32_t> now;
+
+    HOST_DEVICE void operator()(int k) const { now[k] = k < before.size ? before[k] : owned + std::uint32_t(k - before.size); }
+};
+
 // Those that one part sees: in lists of neighbours, or beyond.
 struct SeenBy
 {
     CellGridView grid;
+    std::uint32_t owned;
     RowRectangle rows;                          // of the part
     scalar support, reach;
     bool inLists;
@@ -53,6 +80,11 @@ struct SeenBy
 
     HOST_DEVICE void operator()(int k) const
     {
+        if (index[k] >= owned)
+        {
+            is[k] = false;
+            return;
+        }
         const scalar distance2 = grid.squaredDistance(rows, grid.cellPlace(x[int(index[k])]));
         is[k] = distance2 < support * support ? inLists : !inLists && distance2 < reach * reach;
     }
@@ -138,31 +170,46 @@ void settle(const Columns& columns, const Exchange& exchange, const Places& plac
 
 }
 
-template<class Is>
-int PartsOfLiquid::choose(const Is& is, Buffer<std::uint8_t>& chosen, int most)
+bool PartsOfLiquid::migrateRound(Liquid& liquid, const CellGridView& grid, int most)
 {
-    if (chosen.size() == 0) return 0;
-    forEach(chosen.size(), is);
-    select(chosen, selection_, room_, count_);
-    int count = int(*count_.wait());
-    if (const int wanted = std::min(count, most); wanted > room_)
-    {
-        room_ = wanted + wanted / 4;
-        select(chosen, selection_, room_, count_);
-        count = int(*count_.wait());
-    }
-    return count;
+    Buffer<std::uint8_t> leaves(liquid.owned());
+    Selection leavers;
+    Readback count;
+    forEach(leaves.size(), MarkRows{grid, cut_.rowsOf(liquid.parts().part()), false, std::as_const(liquid.predicted).span(), leaves.span()});
+    select(leaves, leavers, std::min(most, leaves.size()), count);
+    const int all = int(*count.wait());
+    migrate(liquid, grid, {leavers.indices.span().data, std::min(all, most)});
+    return all > most;
 }
 
-bool PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid, int most)
+void PartsOfLiquid::findEdge(const Liquid& liquid, const CellGrid& grid, int rows)
 {
+    const RowRectangle own = cut_.rowsOf(liquid.parts().part());
     const Span<const Position> x = std::as_const(liquid.predicted).span();
-    Buffer<std::uint8_t> is(liquid.owned());
-    const int all = choose(MarkRows{grid, cut_.rowsOf(liquid.parts().part()), false, x, is.span()}, is, most), count = std::min(all, most);
+    Buffer<std::uint8_t> isEdge(liquid.owned()), leaves;
+    int leaving;
+    forEach(liquid.owned(), MarkRows{grid.view(), own.widened(-rows), false, x, isEdge.span()});
+    for (;;)
+    {
+        leaves.resizeDiscarding(room_);
+        leaves.setZero();
+        select(isEdge, edge_, room_, edges_);
+        forEach(edge_, MarkLeavers{grid.view(), own, edge_.before.span(), x, leaves.span()});
+        select(leaves, leavers_, room_, leaving_);
+        atEdge_ = int(*edges_.wait());
+        leaving = int(*leaving_.wait());
+        if (atEdge_ <= room_) break;
+        room_ = atEdge_ + atEdge_ / 4;
+    }
+    Buffer<std::uint32_t> indices(leaving);
+    forEach(leaving, device::Gather<std::uint32_t, device::EveryPlace>{std::as_const(leavers_.indices).span(), {}, std::as_const(edge_.indices).span(), indices.span()});
+    leavers_.indices.swap(indices);
+}
 
-    const Span<const std::uint32_t> indices{selection_.indices.span().data, count};
-    Buffer<Leaver> found(count);
-    forEach(count, FindLeaver{grid, indices, x, found.span()});
+void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid, Span<const std::uint32_t> indices)
+{
+    Buffer<Leaver> found(indices.size);
+    forEach(indices.size, FindLeaver{grid, indices, std::as_const(liquid.predicted).span(), found.span()});
     const std::vector<Leaver> leavers = found.download();
     Leaving gone(cut_, leavers);
 
@@ -171,23 +218,23 @@ bool PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid, int most)
     FieldRegistry& fields = liquid.fields();
     exchange.pack(columnsOf(fields, moves));
     liquid.ghosts().pass(exchange);                 // all parts come to it
-    if (coming == 0 && count == 0) return false;
+    if (coming == 0 && indices.size == 0) return;
     const Places places(liquid.owned(), std::move(gone.index), coming);
     if (places.owned > liquid.owned()) liquid.resize(places.owned);
     settle(columnsOf(fields, moves), exchange, places);
     if (places.owned < liquid.owned()) liquid.resize(places.owned);
-    return all > count;
 }
 
-void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach)
+void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach, int ownedBefore)
 {
     const CellGridView cells = grid.view();
     const int part = liquid.parts().part(), owned = liquid.owned(), rows = grid.cellsWithin(reach);
     const std::vector<int> near = cut_.partsNear(part, rows);
     const Span<const Position> x = std::as_const(liquid.predicted).span();
-    Buffer<std::uint8_t> is(owned);
-    const int all = near.empty() ? 0 : choose(MarkRows{cells, cut_.rowsOf(part).widened(-rows), false, x, is.span()}, is, unlimited);      // at the edge
-    const Span<const std::uint32_t> seen{selection_.indices.span().data, all};
+    const int all = near.empty() ? 0 : atEdge_ + std::max(0, owned - ownedBefore);
+    Buffer<std::uint32_t> atEdge(all);
+    forEach(all, AtEdge{{edge_.indices.span().data, atEdge_}, std::uint32_t(ownedBefore), atEdge.span()});
+    const Span<const std::uint32_t> seen = std::as_const(atEdge).span();
 
     // All are asked for before the first is waited for.
     struct List
@@ -198,14 +245,14 @@ void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach
         int count;
     };
     std::vector<List> lists;
-    is.resizeDiscarding(all);
+    Buffer<std::uint8_t> is(all);
     for (const int other : near)
     {
         for (const bool inLists : {true, false})
         {
             if (counts_.size() == lists.size()) counts_.emplace_back();
             List& list = lists.emplace_back(List{other, inLists, {}, 0});
-            forEach(all, SeenBy{cells, cut_.rowsOf(other), cells.widened(liquid.support()), cells.widened(reach), inLists, seen, x, is.span()});
+            forEach(all, SeenBy{cells, std::uint32_t(owned), cut_.rowsOf(other), cells.widened(liquid.support()), cells.widened(reach), inLists, seen, x, is.span()});
             select(is, list.places, all, counts_[lists.size() - 1]);
         }
     }
@@ -234,14 +281,19 @@ void PartsOfLiquid::bring(Liquid& liquid, const CellGrid& grid, scalar reach)
 {
     liquid.resize(liquid.owned());              // without the ghosts of the search before
     const int most = std::exchange(atOnce_, unlimited);
-    bool more = migrate(liquid, grid.view(), most);
     if (most < unlimited)
     {
-        while (liquid.parts().any(more)) more = migrate(liquid, grid.view(), most);
+        bool more;
+        do more = migrateRound(liquid, grid.view(), most);
+        while (liquid.parts().any(more));
         device::dropKeptMemory();               // of records: seldom do so many leave
     }
-    addGhosts(liquid, grid, reach);
-    selection_ = {};                            // who sorts the particles wants as much
+    const int before = liquid.owned();
+    findEdge(liquid, grid, grid.cellsWithin(reach));
+    migrate(liquid, grid.view(), std::as_const(leavers_.indices).span());
+    addGhosts(liquid, grid, reach, before);
+    edge_ = {};                                 // who sorts the particles wants as much
+    leavers_ = {};
 }
 
 }
