@@ -36,6 +36,16 @@ std::vector<AnalyticSurface> smoothParts(const AnalyticSurface& wall)
     return planes;
 }
 
+std::vector<AnalyticSurface> smoothPartsOf(const std::filesystem::path& casePath)
+{
+    std::vector<AnalyticSurface> parts;
+    for (const AnalyticSurface& wall : readAnalyticSurfaces(Dictionary::read(casePath/"constant/walls")))
+    {
+        for (const AnalyticSurface& part : smoothParts(wall)) parts.push_back(part);
+    }
+    return parts;
+}
+
 struct Wetted
 {
     double area = 0, places = 0;
@@ -124,17 +134,20 @@ struct Sizes
 
 }
 
-WettedSurface::WettedSurface(const std::filesystem::path& casePath, double spacing) : spacing_(spacing)
+std::vector<std::string> WettedSurface::wallsOf(const std::filesystem::path& casePath)
 {
-    for (const AnalyticSurface& wall : readAnalyticSurfaces(Dictionary::read(casePath/"constant/walls")))
-    {
-        for (const AnalyticSurface& part : smoothParts(wall)) analytic_.push_back(part);
-    }
-    for (const AnalyticSurface& wall : analytic_) names_.push_back(wall.name);
+    std::vector<std::string> names;
+    for (const AnalyticSurface& part : smoothPartsOf(casePath)) names.push_back(part.name);
+    if (!haveSolidParticles(casePath)) return names;
+    for (const std::string& patch : readSolidPatches(casePath)) names.push_back(patch);
+    return names;
+}
+
+WettedSurface::WettedSurface(const std::filesystem::path& casePath, double spacing) : spacing_(spacing), analytic_(smoothPartsOf(casePath))
+{
     if (!haveSolidParticles(casePath)) return;
     solid_ = readSolidParticles(casePath);
     if (!solid_.positions.empty()) nearest_ = std::make_unique<NearestPoint>(solid_.positions);
-    names_.insert(names_.end(), solid_.patches.begin(), solid_.patches.end());
 }
 
 std::vector<WettedSurface::Contact> WettedSurface::find(const TriangleMesh& mesh) const

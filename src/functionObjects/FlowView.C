@@ -136,6 +136,18 @@ int FlowView::particlesOutsideSurface()
     return enclosed_ ? enclosed_->particlesOutside : builtSurface().particlesOutside();
 }
 
+void FlowView::prepareContacts()
+{
+    if (!wetted_) wetted_.emplace(time.casePath(), properties().spacing);
+}
+
+const std::vector<WettedSurface::Contact>& FlowView::contacts()
+{
+    prepareContacts();
+    if (!contacts_) contacts_ = wetted_->find(surfacePiece());
+    return *contacts_;
+}
+
 void FlowView::moved(double dt)
 {
     dt_ = dt;
@@ -145,6 +157,7 @@ void FlowView::moved(double dt)
     positionsOfPart_.reset();
     surface_.reset();
     piece_.reset();
+    contacts_.reset();
     surfaceIsDue_ = true;
     enclosed_.reset();
     isGathered_ = false;

@@ -10,7 +10,6 @@
 
 #include "core/angles/Degrees.H"
 #include "core/fieldFile/CsvFile.H"
-#include "drops/WettedSurface.H"
 #include "functionObjects/FunctionObject.H"
 
 #include <cmath>
@@ -27,7 +26,6 @@ class Energy : public FunctionObject
 public:
     Energy(const Dictionary&, const FunctionSetting& setting)
     :
-        wetted_(setting.casePath, setting.spacing),
         table_
         (
             setting.folder / "energy.csv",
@@ -36,6 +34,8 @@ public:
     {
         setting.requireSurface();
     }
+
+    void modelsMade(FlowView& flow) override { flow.prepareContacts(); }
 
     void execute(FlowView& flow) override
     {
@@ -62,7 +62,7 @@ private:
     {
         const auto& angles = flow.walls.angles();
         Sum area;
-        for (const WettedSurface::Contact& contact : wetted_.find(flow.surfacePiece()))
+        for (const WettedSurface::Contact& contact : flow.contacts())
         {
             if (contact.wall < 0) area.value += contact.area;
             else if (!angles) area.value = std::numeric_limits<double>::quiet_NaN();
@@ -77,7 +77,6 @@ private:
         void add(const Sum& other) { value += other.value; }
     };
 
-    WettedSurface wetted_;
     CsvFile table_;
 };
 

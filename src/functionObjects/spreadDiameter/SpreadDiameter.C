@@ -12,7 +12,6 @@
 // of the liquid's highest place above the wetted ones. Not a number where the wall is dry.
 
 #include "core/fieldFile/CsvFile.H"
-#include "drops/WettedSurface.H"
 #include "functionObjects/FunctionObject.H"
 
 namespace shizuku
@@ -26,7 +25,7 @@ class SpreadDiameter : public FunctionObject
 public:
     SpreadDiameter(const Dictionary& dict, const FunctionSetting& setting)
     :
-        surface_(setting.casePath, setting.spacing),
+        walls_(WettedSurface::wallsOf(setting.casePath)),
         table_
         (
             setting.folder / "spreadDiameter.csv",
@@ -37,24 +36,23 @@ public:
         )
     {
         setting.requireSurface();
-        const std::vector<std::string>& names = surface_.walls();
-        if (names.empty()) throw FatalInputError(dict.where(), "The case has no wall to spread on", "a wall in constant/walls");
-        if (dict.found("wall")) wall_ = dict.lookupChoice("wall", names);
+        if (walls_.empty()) throw FatalInputError(dict.where(), "The case has no wall to spread on", "a wall in constant/walls");
+        if (dict.found("wall")) wall_ = dict.lookupChoice("wall", walls_);
     }
+
+    void modelsMade(FlowView& flow) override { flow.prepareContacts(); }
 
     void execute(FlowView& flow) override
     {
-        const TriangleMesh& mesh = flow.surfacePiece();
-        const auto contacts = surface_.find(mesh);
-        for (int wall = 0; wall < int(surface_.walls().size()); ++wall)
+        for (int wall = 0; wall < int(walls_.size()); ++wall)
         {
-            if (!wall_.empty() && surface_.walls()[wall] != wall_) continue;
-            const Spread spread = measureSpread(mesh, contacts, wall, flow.parts());
+            if (!wall_.empty() && walls_[wall] != wall_) continue;
+            const Spread spread = measureSpread(flow.surfacePiece(), flow.contacts(), wall, flow.parts());
             if (flow.parts().part() > 0) continue;
             const Vector3& n = spread.normal;
             table_.addRow
             ({
-                flow.time.value(), surface_.walls()[wall], n.x, n.y, n.z, spread.wettedArea, spread.wettedDiameter,
+                flow.time.value(), walls_[wall], n.x, n.y, n.z, spread.wettedArea, spread.wettedDiameter,
                 spread.wettedExtent, spread.liquidExtent, spread.height
             });
         }
@@ -67,7 +65,7 @@ public:
     const CsvFile* table() const override { return &table_; }
 
 private:
-    WettedSurface surface_;
+    std::vector<std::string> walls_;
     std::string wall_;                  // empty: all
     CsvFile table_;
 };
