@@ -5,7 +5,6 @@
 #include "caseFiles/UnitVector.H"
 #include "drops/ProfileFoot.H"
 #include "meshes/NearestPoint.H"
-#include "meshes/PointsInside.H"
 
 #include <algorithm>
 #include <cmath>
@@ -92,26 +91,18 @@ void DropMeasurement::readCase(double time, const std::vector<double>& inForce)
     density_ = densityOf(case_);
 }
 
-std::vector<DropRecord> DropMeasurement::measure
-(
-    const TriangleMesh& surface, const std::vector<Vector3>& particles, double time
-)
-{
-    std::vector<DropRecord> records = measureUnnumbered(surface, particles, time);
-    number(records);
-    return records;
-}
-
-std::vector<DropRecord> DropMeasurement::measureUnnumbered
-(
-    const TriangleMesh& surface, const std::vector<Vector3>& particles, double time
-) const
+std::vector<Drop> DropMeasurement::dropsOf(const TriangleMesh& surface) const
 {
     constexpr double smallest = 20;         // particles
+    return separateDrops(surface, smallest*spacing_*spacing_*spacing_);
+}
+
+std::vector<DropRecord> DropMeasurement::measure(const std::vector<Drop>& drops, const std::vector<long>& particles, double time) const
+{
     std::vector<DropRecord> records;
-    for (const Drop& drop : separateDrops(surface, smallest*spacing_*spacing_*spacing_))
+    for (std::size_t k = 0; k < drops.size(); ++k)
     {
-        records.push_back(measureDrop(drop, drop.surface.centroid(), particles, time));
+        records.push_back(measureDrop(drops[k], drops[k].surface.centroid(), particles[k], time));
     }
     return records;
 }
@@ -154,10 +145,7 @@ void DropMeasurement::goOn(const KeptNumbers& state)
     for (const auto& first : eachOf(state, "firstVolumes", 2)) firstVolumes_[int(first[0])] = first[1];
 }
 
-DropRecord DropMeasurement::measureDrop
-(
-    const Drop& drop, const Vector3& centroid, const std::vector<Vector3>& particles, double time
-) const
+DropRecord DropMeasurement::measureDrop(const Drop& drop, const Vector3& centroid, long particles, double time) const
 {
     DropRecord record;
     record.time = time;
@@ -166,8 +154,7 @@ DropRecord DropMeasurement::measureDrop
         drop.surface, *wall_, spacing_, controls_.direction.value_or(gravity_), controls_.limits, others_
     );
     record.volume = drop.volume;
-    const std::vector<int> winding = windingNumbers(drop.surface, particles);
-    record.particles = std::count_if(winding.begin(), winding.end(), [](int w) { return w > 0; });
+    record.particles = particles;
     record.particleDrift = drop.volume/(record.particles*spacing_*spacing_*spacing_) - 1;
     record.centroid = centroid;
     const double footprint = std::sqrt(record.shape.coveredArea/std::numbers::pi);

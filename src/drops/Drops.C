@@ -3,11 +3,43 @@
 
 #include "meshes/MeshTopology.H"
 #include "meshes/PointsInside.H"
+#include "parallel/AllParts.H"
 
 #include <algorithm>
+#include <array>
 
 namespace shizuku
 {
+
+namespace
+{
+
+// The surfaces of part 0's drops, without normals.
+std::vector<TriangleMesh> surfacesOfFirst(const Communicator& parts, const std::vector<Drop>& drops)
+{
+    std::vector<std::array<std::size_t, 2>> sizes;
+    TriangleMesh all;
+    for (const Drop& drop : drops)
+    {
+        sizes.push_back({drop.surface.vertices.size(), drop.surface.faces.size()});
+        all.vertices.insert(all.vertices.end(), drop.surface.vertices.begin(), drop.surface.vertices.end());
+        all.faces.insert(all.faces.end(), drop.surface.faces.begin(), drop.surface.faces.end());
+    }
+    sizes = listOfFirst(parts, sizes);
+    all = {listOfFirst(parts, all.vertices), {}, listOfFirst(parts, all.faces)};
+    std::vector<TriangleMesh> surfaces;
+    auto vertex = all.vertices.begin();
+    auto face = all.faces.begin();
+    for (const auto [vertices, faces] : sizes)
+    {
+        surfaces.push_back({{vertex, vertex + long(vertices)}, {}, {face, face + long(faces)}});
+        vertex += long(vertices);
+        face += long(faces);
+    }
+    return surfaces;
+}
+
+}
 
 std::vector<Drop> separateDrops(const TriangleMesh& mesh, double smallest)
 {
@@ -34,6 +66,21 @@ std::vector<Drop> separateDrops(const TriangleMesh& mesh, double smallest)
     }
     std::sort(drops.begin(), drops.end(), [](const Drop& a, const Drop& b) { return a.volume > b.volume; });
     return drops;
+}
+
+std::vector<long> particlesInside(const std::vector<Drop>& drops, const std::vector<Vector3>& positions, const Communicator& parts)
+{
+    std::vector<long> counts;
+    for (const TriangleMesh& surface : surfacesOfFirst(parts, drops))
+    {
+        const std::vector<int> winding = windingNumbers(surface, positions);
+        counts.push_back(std::count_if(winding.begin(), winding.end(), [](int w) { return w > 0; }));
+    }
+    if (parts.parts() == 1) return counts;
+    std::vector<long> sums(counts.size(), 0);
+    const std::vector<long> all = gatherListsAtFirst(parts, counts);
+    for (std::size_t k = 0; k < all.size(); ++k) sums[k % sums.size()] += all[k];
+    return sums;
 }
 
 }

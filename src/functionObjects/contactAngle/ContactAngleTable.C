@@ -42,17 +42,22 @@ public:
 
     void execute(FlowView& flow) override
     {
-        for (const DropRecord& drop : measurement_.measure(flow.surface(), flow.positions(), flow.time.value()))
-        {
-            addRow(table_, drop);
-        }
+        std::vector<Drop> drops;
+        if (flow.parts().part() == 0) drops = measurement_.dropsOf(flow.surface());
+        const std::vector<long> particles = particlesInside(drops, flow.positionsOfPart(), flow.parts());
+        std::vector<DropRecord> records = measurement_.measure(drops, particles, flow.time.value());
+        if (flow.parts().part() > 0) return;
+        measurement_.number(records);
+        for (const DropRecord& record : records) addRow(table_, record);
     }
 
     // Drops keep their numbers and first volumes.
     KeptNumbers state(double) const override { return measurement_.state(); }
     void goOn(const KeptNumbers& state, double) override { measurement_.goOn(state); }
 
+    bool measuresInParts() const override { return true; }
     bool looksAtDensities() const override { return false; }
+    bool looksAtParticles() const override { return false; }
     bool looksAtSurface() const override { return true; }
     bool looksAtWholeSurface() const override { return true; }
     const CsvFile* table() const override { return &table_; }

@@ -47,6 +47,15 @@ TEST(Drops, CavitiesAreTakenOffTheDropAroundThem)
     EXPECT_EQ(drops[0].surface.faces.size(), 12u);      // the outer surface alone
 }
 
+// Six in the larger drop, one in its cavity, which counts, two in the smaller one and one beside both.
+TEST(Drops, ParticlesInsideAreCounted)
+{
+    const TriangleMesh mesh = joined(cubeAt({0, 0, 0}, 1), joined(cubeAt({5, 0, 0}, 2), cubeAt({5.5, 0.5, 0.5}, 1, true)));
+    std::vector<Vector3> particles{{0.3, 0.4, 0.5}, {0.6, 0.2, 0.7}, {3, 0.5, 0.5}, {6, 1, 1}};
+    for (int k = 0; k < 6; ++k) particles.push_back({5.1, 0.3*k + 0.1, 1.9});
+    EXPECT_EQ(particlesInside(separateDrops(mesh, 0.01), particles, Alone()), (std::vector<long>{7, 2}));
+}
+
 TEST(WallPlane, LiesHalfASpacingAboveTheParticlesOfATiltedPatch)
 {
     const double spacing = 1e-4;

@@ -280,10 +280,11 @@ TEST(FlowView, OfPartsHasTheSurfaceThatOneMakes)
 // Each part measures its piece, and what they add up is what one process measures: sums of some thousand faces in another order.
 TEST(FlowView, PiecesOfPartsAreMeasuredTogether)
 {
-    const std::string functions = "wet { type spreadDiameter; } e { type energy; }";
+    const std::string functions = "wet { type spreadDiameter; } e { type energy; } angle { type contactAngle; }";
     const std::vector<Vec3> places = halfBall();
     FlowCase whole(functions, onAPlane, wetting);
     whole.step(places);
+    EXPECT_GT(whole.value("angle/0/contactAngle.csv", "particles"), 0.9*double(places.size()));
     for (const int parts : {2, 3})
     {
         runParts(parts, [&](const Communicator& all)
@@ -307,6 +308,9 @@ TEST(FlowView, PiecesOfPartsAreMeasuredTogether)
             const double surface = whole.value("e/0/energy.csv", "surface");
             EXPECT_GT(surface, 0);
             EXPECT_NEAR(flow.value("e/0/energy.csv", "surface"), surface, 1e-6*surface) << parts;
+            const auto ofDrop = [](const FlowCase& from, const char* column) { return from.value("angle/0/contactAngle.csv", column); };
+            EXPECT_EQ(ofDrop(flow, "particles"), ofDrop(whole, "particles")) << parts;
+            EXPECT_NEAR(ofDrop(flow, "angle"), ofDrop(whole, "angle"), 1e-3) << parts;
         });
     }
 }

@@ -99,7 +99,8 @@ private:
     std::vector<DropRecord> drops(const TimeFolder& time)
     {
         measurement_.readCase(time.value);
-        return measurement_.measureUnnumbered(readSurface(liquidSurfaceFile(time.path)), readLiquidPositions(time.path), time.value);
+        const std::vector<Drop> drops = measurement_.dropsOf(readSurface(liquidSurfaceFile(time.path)));
+        return measurement_.measure(drops, particlesInside(drops, readLiquidPositions(time.path), Alone()), time.value);
     }
 
     void numberOthers(const Bytes& bytes)
