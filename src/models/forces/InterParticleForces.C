@@ -34,12 +34,10 @@ void InterParticleForces::applyBeforeIterations(Liquid& liquid, const Neighbourh
 
 bool InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
 {
-    if (everyIteration_)
-    {
-        liquid.ghosts().copy(liquid.predicted);
-        apply(liquid, near, walls, dt);
-    }
-    return actInIterations();
+    if (!actInIterations()) return false;
+    liquid.ghosts().copy(liquid.predicted);
+    apply(liquid, near, walls, dt);
+    return true;
 }
 
 InternalDisplacement InterParticleForces::takeDisplacement(scalar dt)

@@ -313,6 +313,7 @@ TEST(TestParts, WallNormalsHaveTheBitsOfTheWhole)
 TEST(TestParts, SPHNormalsOfAnalyticWallsHaveTheBitsOfTheWhole)
 {
     expectSameBits({"Fujisawa2014", "", false, 12}, {bisected(3)});
+    expectSameBits({"Fujisawa2014", "pressure completedPbf;", true, 12}, {bisected(3)});        // whose lists of solid particles are wider
 }
 
 TEST(TestParts, ForcesInEveryIterationHaveTheBitsOfTheWhole)

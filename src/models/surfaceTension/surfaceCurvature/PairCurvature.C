@@ -54,7 +54,7 @@ struct Curvature
     scalar volume, largest;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                // with w = b
-    Search near;                    // among positions with w = depth
+    Search near;                            // among positions with w = depth
     Span<const std::uint32_t> selected;
     ExtendedLiquidView extended;
     WallView walls;

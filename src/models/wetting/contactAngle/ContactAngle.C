@@ -100,14 +100,14 @@ public:
         solidNormal_(coeffs.lookupChoiceOr("solidNormal", {"SPH", "wall", "zero"}, "SPH")),
         normal_(liquid.fields().require<Vec3>({.name = "normal", .dimensions = dimensions::none, .sorted = false})),
         density_(requirePredictedDensity(liquid)),
-        reach_(solidNormal_ == "SPH" ? 2 * liquid.support() : 0)
+        reach_(solidNormal_ == "SPH" ? 2 * liquid.support() + liquid.spacing() : 0)
     {}
 
     bool active() const override { return true; }
 
     bool seesGhosts() const override { return true; }
 
-    // Normals of solid particles within the support are sums over liquid within theirs.
+    // Normals of solid particles are sums over liquid within the support of those that are within it, or half a spacing farther, as lists and walls without particles have them.
     scalar reach() const override { return reach_; }
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
