@@ -71,12 +71,17 @@ std::vector<Drop> separateDrops(const TriangleMesh& mesh, double smallest)
 std::vector<long> particlesInside(const std::vector<Drop>& drops, const std::vector<Vector3>& positions, const Communicator& parts)
 {
     std::vector<long> counts;
-    for (const TriangleMesh& surface : surfacesOfFirst(parts, drops))
+    const auto count = [&](const TriangleMesh& surface)
     {
         const std::vector<int> winding = windingNumbers(surface, positions);
         counts.push_back(std::count_if(winding.begin(), winding.end(), [](int w) { return w > 0; }));
+    };
+    if (parts.parts() == 1)
+    {
+        for (const Drop& drop : drops) count(drop.surface);
+        return counts;
     }
-    if (parts.parts() == 1) return counts;
+    for (const TriangleMesh& surface : surfacesOfFirst(parts, drops)) count(surface);
     std::vector<long> sums(counts.size(), 0);
     const std::vector<long> all = gatherListsAtFirst(parts, counts);
     for (std::size_t k = 0; k < all.size(); ++k) sums[k % sums.size()] += all[k];

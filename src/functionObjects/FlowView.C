@@ -87,15 +87,8 @@ const LiquidState& FlowView::state()
     return *state_;
 }
 
-const std::vector<Vector3>& FlowView::positions()
-{
-    if (!positions_) positions_ = seen().positions();
-    return *positions_;
-}
-
 const std::vector<Vector3>& FlowView::positionsOfPart()
 {
-    if (parts().parts() == 1) return positions();
     if (!positionsOfPart_) positionsOfPart_ = liquid_.positions();
     return *positionsOfPart_;
 }
@@ -153,7 +146,6 @@ void FlowView::moved(double dt)
     dt_ = dt;
     densityIsDue_ = true;
     state_.reset();
-    positions_.reset();
     positionsOfPart_.reset();
     surface_.reset();
     piece_.reset();

@@ -2,6 +2,7 @@
 #include "neighbours/PartsOfLiquid.H"
 
 #include "device/Algorithms.H"
+#include "device/CountUp.H"
 #include "device/ForEach.H"
 #include "device/Gather.H"
 #include "device/KeptMemory.H"
@@ -56,21 +57,11 @@ struct FindLeaver
     }
 };
 
-// Who is at the edge once particles have left and come: these were put into the places of those, or behind the others, of which the last may be gone.
-struct AtEdge
-{
-    Span<const std::uint32_t> before;
-    std::uint32_t owned;                        // before
-    Span<std::uint32_t> now;
-
-    HOST_DEVICE void operator()(int k) const { now[k] = k < before.size ? before[k] : owned + std::uint32_t(k - before.size); }
-};
-
 // Those that one part sees: in lists of neighbours, or beyond.
 struct SeenBy
 {
     CellGridView grid;
-    std::uint32_t owned;
+    std::uint32_t owned;                        // those from here on have left
     RowRectangle rows;                          // of the part
     scalar support, reach;
     bool inLists;
@@ -182,28 +173,34 @@ bool PartsOfLiquid::migrateRound(Liquid& liquid, const CellGridView& grid, int m
     return all > most;
 }
 
-void PartsOfLiquid::findEdge(const Liquid& liquid, const CellGrid& grid, int rows)
+PartsOfLiquid::Edge PartsOfLiquid::findEdge(const Liquid& liquid, const CellGrid& grid, int rows)
 {
     const RowRectangle own = cut_.rowsOf(liquid.parts().part());
     const Span<const Position> x = std::as_const(liquid.predicted).span();
     Buffer<std::uint8_t> isEdge(liquid.owned()), leaves;
-    int leaving;
+    Selection all, leavers;
+    int found, leaving;
     forEach(liquid.owned(), MarkRows{grid.view(), own.widened(-rows), false, x, isEdge.span()});
     for (;;)
     {
         leaves.resizeDiscarding(room_);
         leaves.setZero();
-        select(isEdge, edge_, room_, edges_);
-        forEach(edge_, MarkLeavers{grid.view(), own, edge_.before.span(), x, leaves.span()});
-        select(leaves, leavers_, room_, leaving_);
-        atEdge_ = int(*edges_.wait());
-        leaving = int(*leaving_.wait());
-        if (atEdge_ <= room_) break;
-        room_ = atEdge_ + atEdge_ / 4;
+        select(isEdge, all, room_, countEdge_);
+        forEach(all, MarkLeavers{grid.view(), own, all.before.span(), x, leaves.span()});
+        select(leaves, leavers, room_, countLeavers_);
+        found = int(*countEdge_.wait());
+        leaving = int(*countLeavers_.wait());
+        if (found <= room_) break;
+        room_ = found + found / 4;
     }
-    Buffer<std::uint32_t> indices(leaving);
-    forEach(leaving, device::Gather<std::uint32_t, device::EveryPlace>{std::as_const(leavers_.indices).span(), {}, std::as_const(edge_.indices).span(), indices.span()});
-    leavers_.indices.swap(indices);
+    Edge edge{std::move(all.indices), Buffer<std::uint32_t>(leaving)};
+    forEach
+    (
+        leaving,
+        device::Gather<std::uint32_t, device::EveryPlace>{std::as_const(leavers.indices).span(), {}, std::as_const(edge.all).span(), edge.leavers.span()}
+    );
+    edge.all.resize(found);
+    return edge;
 }
 
 void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid, Span<const std::uint32_t> indices)
@@ -225,16 +222,12 @@ void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid, Span<const
     if (places.owned < liquid.owned()) liquid.resize(places.owned);
 }
 
-void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach, int ownedBefore)
+void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach, Span<const std::uint32_t> edge)
 {
     const CellGridView cells = grid.view();
     const int part = liquid.parts().part(), owned = liquid.owned(), rows = grid.cellsWithin(reach);
     const std::vector<int> near = cut_.partsNear(part, rows);
     const Span<const Position> x = std::as_const(liquid.predicted).span();
-    const int all = near.empty() ? 0 : atEdge_ + std::max(0, owned - ownedBefore);
-    Buffer<std::uint32_t> atEdge(all);
-    forEach(all, AtEdge{{edge_.indices.span().data, atEdge_}, std::uint32_t(ownedBefore), atEdge.span()});
-    const Span<const std::uint32_t> seen = std::as_const(atEdge).span();
 
     // All are asked for before the first is waited for.
     struct List
@@ -245,15 +238,15 @@ void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach
         int count;
     };
     std::vector<List> lists;
-    Buffer<std::uint8_t> is(all);
+    Buffer<std::uint8_t> is(edge.size);
     for (const int other : near)
     {
         for (const bool inLists : {true, false})
         {
             if (counts_.size() == lists.size()) counts_.emplace_back();
             List& list = lists.emplace_back(List{other, inLists, {}, 0});
-            forEach(all, SeenBy{cells, std::uint32_t(owned), cut_.rowsOf(other), cells.widened(liquid.support()), cells.widened(reach), inLists, seen, x, is.span()});
-            select(is, list.places, all, counts_[lists.size() - 1]);
+            forEach(edge.size, SeenBy{cells, std::uint32_t(owned), cut_.rowsOf(other), cells.widened(liquid.support()), cells.widened(reach), inLists, edge, x, is.span()});
+            select(is, list.places, edge.size, counts_[lists.size() - 1]);
         }
     }
     std::vector<Exchange::Count> counts(cut_.parts());
@@ -269,7 +262,7 @@ void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach
     std::uint32_t* next = sent.span().data;
     for (const List& list : lists)
     {
-        forEach(list.count, device::Gather<std::uint32_t, device::EveryPlace>{list.places.indices.span(), {}, seen, {next, list.count}});
+        forEach(list.count, device::Gather<std::uint32_t, device::EveryPlace>{list.places.indices.span(), {}, edge, {next, list.count}});
         next += list.count;
     }
     Ghosts& ghosts = liquid.ghosts();
@@ -289,11 +282,13 @@ void PartsOfLiquid::bring(Liquid& liquid, const CellGrid& grid, scalar reach)
         device::dropKeptMemory();               // of records: seldom do so many leave
     }
     const int before = liquid.owned();
-    findEdge(liquid, grid, grid.cellsWithin(reach));
-    migrate(liquid, grid.view(), std::as_const(leavers_.indices).span());
-    addGhosts(liquid, grid, reach, before);
-    edge_ = {};                                 // who sorts the particles wants as much
-    leavers_ = {};
+    Edge edge = findEdge(liquid, grid, grid.cellsWithin(reach));
+    migrate(liquid, grid.view(), std::as_const(edge.leavers).span());
+    // Those who came were put into the places of those who left, which stand in it, or behind the others.
+    const int known = edge.all.size(), behind = std::max(0, liquid.owned() - before);
+    edge.all.resize(known + behind);
+    forEach(behind, CountUp{{edge.all.span().data + known, behind}, std::uint32_t(before)});
+    addGhosts(liquid, grid, reach, std::as_const(edge.all).span());
 }
 
 }

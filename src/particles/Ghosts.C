@@ -3,6 +3,7 @@
 
 #include "device/Algorithms.H"
 #include "device/Atomic.H"
+#include "device/CountUp.H"
 
 #include <utility>
 
@@ -18,14 +19,6 @@ struct Invert
     Span<std::uint32_t> now;
 
     HOST_DEVICE void operator()(int i) const { now[int(order[i])] = std::uint32_t(i); }
-};
-
-struct CountUp
-{
-    Span<std::uint32_t> indices;
-    std::uint32_t first;
-
-    HOST_DEVICE void operator()(int k) const { indices[k] = first + std::uint32_t(k); }
 };
 
 // How many particles of a chunk are sent.

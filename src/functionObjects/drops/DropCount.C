@@ -77,7 +77,6 @@ public:
 
     bool measuresInParts() const override { return true; }
     bool looksAtDensities() const override { return false; }
-    bool looksAtParticles() const override { return false; }
     const CsvFile* table() const override { return &table_; }
     std::string report() const override { return report_; }
 

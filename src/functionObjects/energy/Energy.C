@@ -52,7 +52,6 @@ public:
     }
 
     bool measuresInParts() const override { return true; }
-    bool looksAtParticles() const override { return false; }
     bool looksAtSurface() const override { return true; }
     const CsvFile* table() const override { return &table_; }
 

@@ -93,7 +93,6 @@ public:
     }
 
     bool measuresInParts() const override { return true; }
-    bool looksAtParticles() const override { return false; }
     const CsvFile* table() const override { return &table_; }
 
     std::string needsOfRun() const override { return asked("p") ? "the pressure p, which is not read from stored times" : ""; }

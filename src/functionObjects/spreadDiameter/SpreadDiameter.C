@@ -60,7 +60,6 @@ public:
 
     bool measuresInParts() const override { return true; }
     bool looksAtDensities() const override { return false; }
-    bool looksAtParticles() const override { return false; }
     bool looksAtSurface() const override { return true; }
     const CsvFile* table() const override { return &table_; }
 

@@ -63,8 +63,9 @@ public:
         if (iterations_ >= controls_.maxIterations || liquid.isEmpty()) return true;
         const scalar perPressure = dt_ * dt_ / liquid.restDensity();
         increase_.resizeDiscarding(liquid.all());
-        liquid.ghosts().copy({placesOf(liquid.predicted)}, GhostsOf::lists);
-        if (iterations_ == 0) liquid.ghosts().copy({valuesOf(liquid.position)}, GhostsOf::lists);
+        Columns read{placesOf(liquid.predicted)};
+        if (iterations_ == 0) read.push_back(valuesOf(liquid.position));
+        liquid.ghosts().copy(read, GhostsOf::lists);
         computeDensity(liquid, near, walls);
         forEach(liquid.owned(), RaiseByDensity
         {
