@@ -42,11 +42,13 @@ bool InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& 
 
 InternalDisplacement InterParticleForces::takeDisplacement(scalar dt)
 {
+    if (!isKept_) return {};
     return {std::move(acceleration_), dt * dt};
 }
 
 void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
 {
+    isKept_ = false;
     if (!active()) return;
     tension_->begin(dt);
     if (!wetting_->accelerates() && walls.constraints().all() && tension_->move(liquid, near, walls, dt)) return;
@@ -55,7 +57,8 @@ void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const
     tension_->apply(liquid, near, walls, acceleration_);
     wetting_->apply(liquid, near, walls, acceleration_);
     displace(liquid, acceleration_, dt);
-    if (everyIteration_ || !tension_->isInternal() || walls.constraints().all()) acceleration_ = {};
+    isKept_ = !everyIteration_ && tension_->isInternal() && !walls.constraints().all();
+    if (!isKept_) acceleration_ = {};
 }
 
 }

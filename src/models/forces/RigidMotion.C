@@ -201,7 +201,7 @@ void RigidMotion::remove
     scalar reach, scalar dt
 )
 {
-    if (walls.constraints().all() || pressure.by.size() + forces.by.size() == 0) return;
+    if (walls.constraints().all() || (pressure.isNone() && forces.isNone())) return;       // alike in all parts, which come to the sum together
     const Span<const Vec3> velocity = before_.size() > 0 ? std::as_const(liquid.velocity).span() : Span<const Vec3>{};
     sum
     (
