@@ -34,6 +34,7 @@ set(SHIZUKU_DEVICE_SOURCES
     motion/LiquidState.C
     motion/SpeedMeter.C
     maths/CohesionSpline.C
+    linearSolvers/ConjugateGradients.C
     models/Models.C
     models/density/Density.C
     models/forces/InterParticleForces.C
@@ -84,6 +85,7 @@ set(SHIZUKU_DEVICE_SOURCES
     models/viscosity/XSPH/XSPH.C
     models/viscosity/laminar/Laminar.C
     models/viscosity/newtonian/Newtonian.C
+    models/viscosity/newtonian/WallFriction.C
     models/smoothing/SmoothingControls.C
     models/velocityCorrection/VelocityCorrection.C
     models/velocityCorrection/none/none.C

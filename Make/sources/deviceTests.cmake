@@ -19,6 +19,7 @@ set(SHIZUKU_DEVICE_TESTS
     maths/TestPackedDeviator.C
     maths/TestPackedRows.C
     maths/TestSymmTensor.C
+    linearSolvers/TestConjugateGradients.C
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C
     models/density/TestDensity.C
