@@ -27,6 +27,7 @@ set(SHIZUKU_DEVICE_SOURCES
     walls/Walls.C
     freeSurface/ExtendedLiquid.C
     freeSurface/FreeSurface.C
+    freeSurface/HeldLine.C
     outlets/BoxOutlet.C
     outlets/Outlets.C
     outlets/PlaneOutlet.C

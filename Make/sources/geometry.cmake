@@ -62,7 +62,13 @@ set(SHIZUKU_GEOMETRY_SOURCES
     meshes/surfaceFormats/StlFormat.C
     thetaModels/ChecksTheta.C
     thetaModels/ConstantTheta.C
+    thetaModels/ContactAngleLaw.C
+    thetaModels/CoxVoinovLaw.C
+    thetaModels/DynamicLaw.C
     thetaModels/ExpressionTheta.C
+    thetaModels/HysteresisLaw.C
+    thetaModels/KistlerLaw.C
+    thetaModels/LineLaws.C
     thetaModels/RegionsTheta.C
     thetaModels/StripePattern.C
     thetaModels/StripesTheta.C

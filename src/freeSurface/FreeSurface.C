@@ -245,7 +245,7 @@ void FreeSurface::reconstruct(const Liquid& liquid, const Neighbourhood& near, c
     }
     forEachTeam(particles_, Reconstruct
     {
-        liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view(liquid)}, plane(), steepest_},
+        liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view(liquid)}, plane(), steepest_, held_ ? held_->span() : Span<const scalar>{}},
         depthOfRatio_.span(), largestRatio_, suction_, particles_.before.span(), gradient_.span(), depth_.span(), position_.span(),
         foundContact_ ? contact_.span() : Span<ContactLine>{}, anyContact_.span()
     });

@@ -50,6 +50,22 @@ Models::Models(const std::filesystem::path& casePath, const Dictionary& solution
     toleratePassiveCoefficients(dict);
     dict.refuseUnused();
     if (forces.usesContactAngles() && walls.particles() + walls.surfaces() > 0) angles = walls.readAngles();
+    if (angles && angles->laws) holdLines(casePath, liquid);
+}
+
+void Models::holdLines(const std::filesystem::path& casePath, Liquid& liquid)
+{
+    if (!forces.wetting().continuesSurface())
+    {
+        throw FatalInputError
+        (
+            dict.where("wetting"), "Laws of contact lines in " + (casePath / "constant/wettability").string()
+          + " need a surface that goes on into walls, and wetting " + dict.lookup<std::string>("wetting") + " has none",
+            "wetting extendedSurface; or walls whose contact angles are constant"
+        );
+    }
+    heldLine.emplace(liquid);
+    freeSurface->hold(heldLine->angle());
 }
 
 void Models::refuseParts() const

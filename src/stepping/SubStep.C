@@ -89,6 +89,7 @@ void SubStep::operator()(scalar dt)
     models_.velocityCorrection->apply(liquid_, near_, walls_, dt);
     models_.viscosity->apply(liquid_, near_, walls_, dt);
     models_.particleShifting->apply(liquid_, near_, walls_);
+    if (models_.heldLine) models_.heldLine->advance(liquid_, near_, walls_, *models_.freeSurface, dt);
 }
 
 void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, scalar dt)

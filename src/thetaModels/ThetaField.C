@@ -6,6 +6,7 @@
 #include "core/paths/Existence.H"
 #include "meshes/ObjFile.H"
 #include "meshes/StlFile.H"
+#include "thetaModels/ContactAngleLaw.H"
 #include "thetaModels/ThetaModel.H"
 
 #include <boost/algorithm/string/case_conv.hpp>
@@ -33,12 +34,25 @@ Dictionary entryOf(const Dictionary& wettability, const std::string& name)
     return wettability.subDict(name);
 }
 
+// Where a line at rest has it, by a law.
+class ThetaAtRest : public ThetaModel
+{
+public:
+    explicit ThetaAtRest(std::unique_ptr<ContactAngleLaw> law) : law_(std::move(law)) {}
+
+    double theta(const Vector3& x) const override { return law_->at(x).theta; }
+
+private:
+    std::unique_ptr<ContactAngleLaw> law_;
+};
+
 std::unique_ptr<ThetaModel> readModel
 (
     const Dictionary& wettability, const std::string& patch, const std::filesystem::path& casePath
 )
 {
     const Dictionary dict = entryOf(wettability, patch);
+    if (auto law = readLaw(dict, casePath)) return std::make_unique<ThetaAtRest>(std::move(law));
     const std::string type = dict.lookupOr<std::string>("type", "constant");
     const SourceLocation where = dict.found("type") ? dict.where("type") : dict.where();
     return ThetaModelTable::New("contact-angle", type, where, dict, casePath);
@@ -71,9 +85,18 @@ std::string patchesOfWalls(const std::filesystem::path& casePath)
 
 }
 
-double wallTheta(const Dictionary& wettability, const std::string& wall)
+double wallTheta(const Dictionary& wettability, const std::string& wall, const std::filesystem::path& casePath)
 {
     const Dictionary dict = entryOf(wettability, wall);
+    if (const auto law = readLaw(dict, casePath))
+    {
+        if (law->isUniform()) return law->at({}).theta;
+        throw FatalInputError
+        (
+            dict.where("law"), "The law of the analytic wall '" + wall + "' has angles that are distributions",
+            "numbers, the same everywhere; or a wall of type particles in constant/walls, which takes distributions"
+        );
+    }
     const std::string type = dict.lookupOr<std::string>("type", "constant");
     if (type != "constant")
     {
@@ -192,7 +215,7 @@ std::vector<double> thetaField
     refuseUnknownWalls(wettability, names, casePath);
     std::vector<std::unique_ptr<ThetaModel>> models;        // one a patch
     for (const std::string& patch : solid.patches) models.push_back(readModel(wettability, patch, casePath));
-    for (const AnalyticSurface& wall : walls) wallTheta(wettability, wall.name);
+    for (const AnalyticSurface& wall : walls) wallTheta(wettability, wall.name, casePath);
     wettability.refuseUnused();
 
     std::vector<double> theta(solid.positions.size());

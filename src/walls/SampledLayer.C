@@ -147,8 +147,9 @@ void SampledLayer::usePlanes(const Liquid& liquid, scalar reach)
     if (reach > 0) planes_.emplace(grid_->view(), reach_);
 }
 
-void SampledLayer::useCosines(const std::vector<scalar>& cosines)
+void SampledLayer::useCosines(const std::vector<scalar>& cosines, const std::vector<std::uint32_t>& laws)
 {
+    laws_ = laws.empty() ? Buffer<std::uint32_t>() : Buffer<std::uint32_t>(chosen(laws, order_.download()));
     anglesInUse_ = !cosines.empty();
     if (!anglesInUse_) return;
     if (!cosTheta_) cosTheta_ = &solid_.fields().add<scalar>({.name = "cosTheta", .dimensions = dimensions::none});

@@ -6,6 +6,7 @@
 #include "core/angles/Degrees.H"
 #include "core/time/Time.H"
 #include "device/ForEach.H"
+#include "thetaModels/LineLaws.H"
 #include "thetaModels/ThetaField.H"
 #include "walls/KeepOutside.H"
 #include "walls/LiquidInside.H"
@@ -106,6 +107,7 @@ void Walls::use(const Liquid& liquid, WallUse use)
     if (layer_) layer_->usePlanes(liquid, use.contactReach);
     closest_ = use.closest;
     useAngles(std::move(use.angles));
+    useLaws(liquid);
 }
 
 bool Walls::oneContactAngle() const
@@ -134,6 +136,8 @@ std::pair<double, double> Walls::contactAngles(scalar reach) const
         least = std::min(least, *low);
         most = std::max(most, *high);
     }
+    least = std::min(least, rangeOfLaws_.first);
+    most = std::max(most, rangeOfLaws_.second);
     return least <= most ? widened(least, most) : widened(90, 90);
 }
 
@@ -165,9 +169,10 @@ WallAngles Walls::readAngles() const
         }
         names.insert(names.end(), surfaceNames_.begin(), surfaceNames_.end());
         refuseUnknownWalls(wettability, names, case_);
-        for (const std::string& wall : surfaceNames_) angles.surfaces.push_back(wallTheta(wettability, wall));
+        for (const std::string& wall : surfaceNames_) angles.surfaces.push_back(wallTheta(wettability, wall, case_));
         wettability.refuseUnused();
     }
+    angles.laws = LineLaws::read(case_, surfaceNames_, angles.surfaces, angles.particles);
     return angles;
 }
 
@@ -185,7 +190,43 @@ void Walls::giveCosines()
     if (!layer_) return;
     std::vector<scalar> cosines;
     if (angles_) for (const double theta : angles_->particles) cosines.push_back(cosine(theta));
-    layer_->useCosines(cosines);
+    layer_->useCosines(cosines, hasLaws() ? angles_->laws->particles : std::vector<std::uint32_t>());
+}
+
+// Tables of them; degrees become radians, and speeds scaled ones.
+void Walls::useLaws(const Liquid& liquid)
+{
+    rangeOfLaws_ = {180, 0};
+    if (!hasLaws()) return;
+    const LineLaws& laws = *angles_->laws;
+    const LiquidProperties& p = liquid.properties();
+    const LineScales scales{p.spacing, p.density * p.viscosity, p.surfaceTension};
+    rangeOfLaws_ = laws.range(scales);
+    lawsFollowSpeed_ = laws.followSpeed(scales);
+    std::vector<AngleLimits> table;
+    std::vector<scalar> typical;
+    for (const WallMaterial& material : laws.materials)
+    {
+        const double unit = material.typicalSpeed(scales);
+        typical.push_back(liquid.units().toScaled(unit, dimensions::velocity));
+        constexpr int side = LineLimitsView::side;
+        const auto add = [&](double part, double sign)
+        {
+            const double speed = sign * unit * std::min(part / std::max(1 - part, 1e-9), 1e3);
+            const auto [low, high] = material.limits(speed, scales);
+            table.push_back({scalar(radians(low)), scalar(radians(high))});
+        };
+        for (int k = side; k >= 0; --k) add(double(k) / side, -1);
+        for (int k = 0; k <= side; ++k) add(double(k) / side, 1);
+    }
+    limitTable_.upload(table);
+    typicalSpeeds_.upload(typical);
+    lawOfSurface_.upload(laws.surfaces);
+}
+
+LineLimitsView Walls::lineLimits() const
+{
+    return {limitTable_.span(), typicalSpeeds_.span(), lawOfSurface_.span(), layer_ ? layer_->laws() : Span<const std::uint32_t>{}};
 }
 
 void Walls::update(const Liquid& liquid)
