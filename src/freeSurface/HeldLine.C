@@ -14,7 +14,7 @@ namespace
 // Lengths in spacings, times in capillary steps.
 constexpr scalar springLength = 0.2f;               // l
 constexpr scalar filterTime = 3;                    // of the speed that limits see
-constexpr scalar eveningTime = 10;                  // in which memories at the same place become one
+constexpr scalar eveningTime = 30;                  // in which memories at the same place become one
 constexpr scalar atLine = 0.2f;                     // closeness from which a particle is at the line: two layers from the wall, or from the surface, but not both
 
 // What neighbours read of a particle near a contact line. In a Vec3, of which w is the wall's number and, behind the point, half of the closeness.
