@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 namespace shizuku
 {
@@ -84,6 +85,21 @@ std::shared_ptr<const LineLaws> LineLaws::read
         laws->particles.push_back(materials.index(law, rounded(law ? law->at(solid.positions[k]) : constant(ofParticles[k]))));
     }
     return laws;
+}
+
+std::string LineLaws::text() const
+{
+    constexpr LineScales any{1e-4, 1e-3, 0.07};
+    std::ostringstream text;
+    text << std::hexfloat;
+    for (const WallMaterial& material : materials)
+    {
+        const double speed = material.typicalSpeed(any);
+        for (const double u : {-speed, 0.0, speed}) text << material.limits(u, any).first << ' ' << material.limits(u, any).second << ' ';
+        text << speed << ' ' << material.angles.theta << ' ';
+    }
+    for (const auto* of : {&surfaces, &particles}) for (const std::uint32_t index : *of) text << index << ' ';
+    return text.str();
 }
 
 ContactAngleLaw::Limits LineLaws::range(const LineScales& scales) const

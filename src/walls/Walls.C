@@ -172,8 +172,13 @@ WallAngles Walls::readAngles() const
         for (const std::string& wall : surfaceNames_) angles.surfaces.push_back(wallTheta(wettability, wall, case_));
         wettability.refuseUnused();
     }
-    angles.laws = LineLaws::read(case_, surfaceNames_, angles.surfaces, angles.particles);
+    readLaws(angles);
     return angles;
+}
+
+void Walls::readLaws(WallAngles& angles) const
+{
+    angles.laws = LineLaws::read(case_, surfaceNames_, angles.surfaces, angles.particles);
 }
 
 void Walls::useAngles(std::optional<WallAngles> angles)

@@ -3,6 +3,7 @@
 
 #include "SameFiles.H"
 #include "core/dictionary/Differences.H"
+#include "thetaModels/LineLaws.H"
 #include "thetaModels/ThetaField.H"
 
 #include <algorithm>
@@ -82,6 +83,8 @@ public:
         const std::optional<WallAngles>& angles = setup.walls->angles();
         if (anew.wettability) models->angles->particles = caseTheta(time.casePath());
         else if (!anew.theta && angles) models->angles->particles = angles->particles;
+        else return;
+        setup.walls->readLaws(*models->angles);
     }
 
     // What has been read.
@@ -96,6 +99,7 @@ public:
         {
             for (const double theta : *of) text << theta << ' ';
         }
+        if (models->angles->laws) text << models->angles->laws->text();
         return text.str();
     }
 
