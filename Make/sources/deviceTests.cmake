@@ -9,6 +9,7 @@ set(SHIZUKU_DEVICE_TESTS
     device/TestReduce.C
     freeSurface/TestExtendedLiquid.C
     freeSurface/TestFreeSurface.C
+    freeSurface/TestHeldLine.C
     functionObjects/TestDropObjects.C
     functionObjects/TestFunctionControl.C
     functionObjects/TestFunctionObjects.C
