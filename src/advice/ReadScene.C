@@ -14,7 +14,7 @@
 #include "meshes/ObjFile.H"
 #include "meshes/StlFile.H"
 #include "models/smoothing/SmoothingShare.H"
-#include "thetaModels/ThetaModel.H"
+#include "thetaModels/ContactAngleLaw.H"
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +81,12 @@ void readTheta(SceneWall& wall, const fs::path& path, const Vector3& at)
     const Dictionary all = Dictionary::read(file);
     if (!all.found(wall.name) || !all.isDict(wall.name)) return;       // its patches have names of their own
     const Dictionary dict = all.subDict(wall.name);
+    if (const auto law = readLaw(dict, path))
+    {
+        wall.evenTheta = law->isUniform();
+        wall.theta = law->at(at).theta;
+        return;
+    }
     const std::string type = dict.lookupOr<std::string>("type", "constant");
     wall.evenTheta = type == "constant";
     wall.theta = ThetaModelTable::New("contact-angle", type, dict.where(), dict, path)->theta(at);

@@ -23,10 +23,13 @@ PrescribedAngle::PrescribedAngle
 void PrescribedAngle::read(double time, const std::vector<double>& inForce)
 {
     wallTheta_ = none;
+    theta_.clear();
+    const auto file = case_/"constant/wettability";
+    const Dictionary entry = std::filesystem::exists(file) ? Dictionary::read(file).subDictOrEmpty(wall_) : Dictionary();
+    if (entry.lookupOr<std::string>("law", "constant") != "constant") return;      // by which the angle follows the line
     if (patch_ < 0)
     {
-        const auto file = case_/"constant/wettability";
-        if (std::filesystem::exists(file)) wallTheta_ = Dictionary::read(file).subDictOrEmpty(wall_).lookupOr<double>("theta", none);
+        wallTheta_ = entry.lookupOr<double>("theta", none);
         return;
     }
     theta_ = inForce;

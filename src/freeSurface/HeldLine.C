@@ -12,7 +12,8 @@ namespace
 {
 
 // Lengths in spacings, times in capillary steps.
-constexpr scalar springLength = 0.2f;               // l
+constexpr scalar springLength = 0.1f;               // l
+constexpr scalar meanHeight = 0.8f;                 // z, of particles at the line
 constexpr scalar filterTime = 3;                    // of the speed that limits see
 constexpr scalar eveningTime = 30;                  // in which memories at the same place become one
 constexpr scalar atLine = 0.2f;                     // closeness from which a particle is at the line: two layers from the wall, or from the surface, but not both
@@ -65,8 +66,8 @@ struct MeasureMotion
 
 struct AdvanceAngle
 {
-    scalar support, listed, dt;
-    scalar perAngle, filtered, evened;              // dt/l, and shares of a step
+    scalar support, listed;
+    scalar way, filtered, evened;                   // that a scaled unit of speed makes, in spacings; shares of a step
     Span<const Position> x;
     NeighbourView near;
     FreeSurfaceView surface;
@@ -106,12 +107,20 @@ struct AdvanceAngle
         }
         const scalar mean = at.known > 0 ? at.angles / at.known : surface.contactAt(k).theta;
         const scalar before = own.angle > 0 ? own.angle + evened * (mean - own.angle) : mean;
-        angle[i] = within(bounds, before + perAngle * at.u());
+        angle[i] = within(bounds, before + way * at.u() / perAngle(before));
         speed[i] = at.speed(own.speed, filtered);
     }
 
 private:
     static constexpr scalar least = 1e-4f;          // zero says that there is none
+
+    // l + z/sin^2 theta
+    HOST_DEVICE static scalar perAngle(scalar theta)
+    {
+        constexpr scalar flattest = 0.5f;           // as of u
+        const scalar sine = fmax(sin(theta), flattest);
+        return springLength + meanHeight / (sine * sine);
+    }
 
     struct Means
     {
@@ -191,7 +200,7 @@ void HeldLine::advance(Liquid& liquid, const Neighbourhood& near, const Walls& w
     }
     forEachTeam(particles, AdvanceAngle
     {
-        liquid.support(), liquid.support() + 0.5f * d, dt, dt / (springLength * d), step / (filterTime + step), step / (eveningTime + step),
+        liquid.support(), liquid.support() + 0.5f * d, dt / d, step / (filterTime + step), step / (eveningTime + step),
         std::as_const(liquid.position).span(), near.view(), surface.view(), walls.view(liquid), walls.lineLimits(), std::as_const(motion_).span(),
         nextAngle_.span(), nextSpeed_.span()
     });

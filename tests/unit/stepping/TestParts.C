@@ -35,6 +35,7 @@ struct Scene
     std::string outlets = {};
     enum { ball, bar, block } shape = ball;     // bar: long enough for particles that no other part sees, and neighbours of whose neighbours none sees; block: for a coarse grid
     std::string moreSolution = {};
+    std::string law = {};               // of contact lines
 };
 
 std::filesystem::path setsOfModels() { return std::filesystem::path(std::getenv("SHIZUKU_DIR")) / "tests/validation/models"; }
@@ -52,6 +53,7 @@ class CutDrop : public LiquidCase
 public:
     explicit CutDrop(const Scene& scene) : LiquidCase(textOf(scene)), outlets(writeOutlets(scene.outlets), liquid)
     {
+        if (!scene.law.empty()) folder.write("constant/wettability", "floor { " + scene.law + " }");
         const auto set = setsOfModels() / scene.set;
         std::ifstream file(set / "models");
         folder.write("constant/models", std::string{std::istreambuf_iterator<char>(file), {}} + "bodyForce gravity;" + scene.moreModels);
@@ -272,6 +274,16 @@ TEST(TestParts, LongBarHasTheBitsOfTheWhole)
 TEST(TestParts, ThickLiquidHasTheBitsOfTheWhole)
 {
     expectSameBits({"default", "", false, 12, "1e-3"}, {slabs(2, true), bisected(4)});
+}
+
+TEST(TestParts, HeldContactLinesHaveTheBitsOfTheWhole)
+{
+    Scene held{"default", "", true, 12};
+    held.law = "law hysteresis; thetaAdv 100; thetaRec 60;";
+    expectSameBits(held, {bisected(3)});
+    held.sampled = false;
+    held.law = "law coxVoinov; thetaAdv 80; thetaRec 50;";
+    expectSameBits(held, {bisected(4)});
 }
 
 TEST(TestParts, WhatKeepsTurnsHasTheBitsOfTheWhole)

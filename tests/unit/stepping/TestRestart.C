@@ -45,6 +45,7 @@ struct Chosen
     bool sampled = true;
     std::string outlets = {};
     scalar speed = 0.02f;               // scaled, along x
+    std::string law = {};               // of contact lines
 };
 
 // A drop of the set that falls onto a floor.
@@ -58,6 +59,7 @@ public:
     {
         if (models) models->pressure->complete();
         subStep.reset();
+        if (!chosen.law.empty()) folder.write("constant/wettability", "floor { " + chosen.law + " }");
         folder.write("constant/models", modelsOf(chosen.set) + "bodyForce gravity;" + chosen.moreModels);
         Dictionary solution = Dictionary::read(sets / chosen.set / "solution");
         if (!chosen.morePressure.empty()) solution = Dictionary::parse("pressure { maxIterations 10; " + chosen.morePressure + " }");
@@ -159,6 +161,21 @@ TEST(Restart, HasTheSameBitsForTheDefaultAtAnalyticWallsAndWithAllThatItMayHave)
     expectRestart({.set = "default", .morePressure = "coarseGrid yes;"});
     expectRestart({.set = "default", .moreModels = "particleShifting closePairs;"});
     expectRestart({.set = "default"}, false);                              // ascii
+}
+
+TEST(Restart, HasTheSameBitsWhereWallsHoldContactLines)
+{
+    for (const bool sampled : {true, false})
+    {
+        const Chosen held{.set = "default", .sampled = sampled, .law = "law hysteresis; thetaAdv 100; thetaRec 60;"};
+        expectRestart(held);
+        Drop drop(held);
+        drop.begin();
+        drop.steps(9);
+        const auto angles = drop.models->heldLine->angle().download();
+        EXPECT_GT(std::count_if(angles.begin(), angles.end(), [](scalar angle) { return angle > 0; }), 10);
+    }
+    expectRestart({.set = "default", .sampled = false, .law = "law coxVoinov; thetaAdv 80; thetaRec 50;"});
 }
 
 // A plane across the way of the drop, askew to its rows: particles leave before and after the restart, and none comes back.
