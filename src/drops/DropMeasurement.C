@@ -18,11 +18,12 @@ namespace shizuku
 namespace
 {
 
-double densityOf(const std::filesystem::path& casePath)
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+Dictionary liquidOf(const std::filesystem::path& casePath)
 {
     const auto file = casePath/"constant/liquidProperties";
-    if (!std::filesystem::exists(file)) return std::numeric_limits<double>::quiet_NaN();
-    return Dictionary::read(file).lookupPositive("rho", dimensions::density);
+    return std::filesystem::exists(file) ? Dictionary::read(file) : Dictionary();
 }
 
 // Numbers of drops, each with so many that say something of it.
@@ -88,7 +89,9 @@ void DropMeasurement::readCase(double time, const std::vector<double>& inForce)
 {
     prescribed_.read(time, inForce);
     gravity_ = caseGravity(case_);
-    density_ = densityOf(case_);
+    const Dictionary liquid = liquidOf(case_);
+    density_ = liquid.found("rho") ? liquid.lookupPositive("rho", dimensions::density) : unknown;
+    tension_ = liquid.found("sigma") ? liquid.lookupPositive("sigma", dimensions::surfaceTension, true) : unknown;
 }
 
 std::vector<Drop> DropMeasurement::dropsOf(const TriangleMesh& surface) const
@@ -161,28 +164,39 @@ DropRecord DropMeasurement::measureDrop(const Drop& drop, const Vector3& centroi
     record.prescribed = prescribed_.below(centroid, footprint, wall_->at(centroid).normal);
     if (record.shape.state == DropState::attached)
     {
-        if (const auto profile = profileOf(drop, centroid))
+        const Vector3 normal = wall_->at(centroid).normal;
+        if (const auto profiles = profilesOf(drop, centroid, normal))
         {
-            record.capillaryLength = profile->capillaryLength;
-            record.sigma = density_*length(gravity_)*std::pow(profile->capillaryLength, 2);
-            if (const auto foot = footOf(*profile, centroid, (profile->hangs ? 1 : -1)*normalized(gravity_), *wall_))
+            const double weight = length(gravity_);
+            const Vector3 up = ((profiles->hangs ? 1 : -1)/weight)*gravity_;
+            if (const auto& fit = profiles->fitted)
             {
-                record.profileRadius = foot->radius;
-                record.profileAngle = foot->angle;
+                record.capillaryLength = fit->capillaryLength;
+                record.sigma = density_*weight*std::pow(fit->capillaryLength, 2);
+                if (const auto foot = footOf(*fit, centroid, up, *wall_))
+                {
+                    record.profileRadius = foot->radius;
+                    record.profileAngle = foot->angle;
+                }
+            }
+            if (const auto& fit = profiles->ofTheLiquid)
+            {
+                if (const auto foot = footOf(*fit, centroid, up, *wall_)) record.underGravity = {foot->angle, foot->radius, fit->rms/spacing_};
             }
         }
     }
+    record.chosen = chosenAngle(record);
     return record;
 }
 
 // Of a drop that stands or hangs upright: with gravity along the axis it is axisymmetric.
-std::optional<ProfileFit> DropMeasurement::profileOf(const Drop& drop, const Vector3& centroid) const
+std::optional<DropMeasurement::Profiles> DropMeasurement::profilesOf(const Drop& drop, const Vector3& centroid, const Vector3& normal) const
 {
     constexpr double upright = 0.9998;          // cosine of one degree
     if (length(gravity_) == 0) return std::nullopt;
-    const Vector3 normal = wall_->at(centroid).normal;
-    const bool hangs = dot(gravity_, normal) > 0;
-    const Vector3 up = (hangs ? 1 : -1)*normalized(gravity_);       // off the wall
+    Profiles profiles;
+    profiles.hangs = dot(gravity_, normal) > 0;
+    const Vector3 up = (profiles.hangs ? 1 : -1)*normalized(gravity_);       // off the wall
     if (dot(up, normal) < upright) return std::nullopt;
 
     const std::vector<double> areas = drop.surface.vertexAreas();
@@ -194,7 +208,10 @@ std::optional<ProfileFit> DropMeasurement::profileOf(const Drop& drop, const Vec
         const double height = dot(x - centroid, up);
         points.push_back({length(x - centroid - height*up), height, areas[i]});
     }
-    return fitProfile(points, hangs);
+    profiles.fitted = fitProfile(points, profiles.hangs);
+    const double known = std::sqrt(tension_/(density_*length(gravity_)));
+    if (known > 0 && std::isfinite(known)) profiles.ofTheLiquid = fitProfile(points, profiles.hangs, known);
+    return profiles;
 }
 
 }

@@ -15,26 +15,36 @@ namespace
 constexpr std::size_t unknowns = 3;
 using Unknowns = SmallVector<unknowns>;     // height of the apex in units of the drop's size, ln b, ln l
 
-// The profile, searched by the polar angle about a point of its axis: it is convex.
+// The profile, searched by the polar angle about a point of its axis: it is convex. Its chords are 1e-5 of the size off, so
+// the equation needs no more than a thousandth of that.
 class SearchedProfile
 {
 public:
     explicit SearchedProfile(const ProfileFit& fit)
-    : top_(fit.apexHeight), profile_(fit.profile(401))
+    : top_(fit.apexHeight), profile_(fit.profile(401, 1e-8))
     {
         middle_ = 0.5*profile_.height();
         for (const DropProfilePoint& p : profile_.points) polar_.push_back(std::atan2(p.x, middle_ - p.z));
     }
 
     // Outside of the profile positive. By the chord across the point: exact to the second order of the distance.
-    double distance(const MeridianPoint& point) const
+    double distance(const MeridianPoint& point) const { return distance(point, top_); }
+
+    // From the profile with its apex at that height [m].
+    double distance(const MeridianPoint& point, double top) const
     {
-        const double z = top_ - point.height;
+        const double z = top - point.height;
         const auto after = std::upper_bound(polar_.begin() + 1, polar_.end() - 1, std::atan2(point.r, middle_ - z));
         const DropProfilePoint& a = profile_.points[after - polar_.begin() - 1];
         const DropProfilePoint& b = profile_.points[after - polar_.begin()];
         const double dx = b.x - a.x, dz = b.z - a.z;
-        return ((point.r - a.x)*dz - (z - a.z)*dx)/std::hypot(dx, dz);
+        return ((point.r - a.x)*dz - (z - a.z)*dx)/std::sqrt(dx*dx + dz*dz);
+    }
+
+    // From the profile that many times as large, its apex where it is.
+    double distanceScaled(const MeridianPoint& point, double scale) const
+    {
+        return scale*distance({point.r/scale, top_ + (point.height - top_)/scale, 0});
     }
 
 private:
@@ -47,13 +57,16 @@ private:
 class ProfileSearch
 {
 public:
-    ProfileSearch(const std::vector<MeridianPoint>& points, double size, bool hangs) : points_(points), size_(size), hangs_(hangs) {}
+    // isKnown: l stays as it is.
+    ProfileSearch(const std::vector<MeridianPoint>& points, double size, bool hangs, bool isKnown)
+    : points_(points), size_(size), hangs_(hangs), isKnown_(isKnown) {}
 
     ProfileFit fitOf(const Unknowns& u) const { return {std::exp(u[1]), std::exp(u[2]), size_*u[0], 0, hangs_}; }
+    int profiles() const { return profiles_; }
 
     double meanSquare(const Unknowns& u) const
     {
-        const SearchedProfile profile(fitOf(u));
+        const SearchedProfile profile = profileAt(u);
         double sum = 0, total = 0;
         for (const MeridianPoint& p : points_)
         {
@@ -63,36 +76,39 @@ public:
         return sum/total;
     }
 
+    // Central differences. Only a profile of another b alone has to be integrated: b and l times a number make it larger.
     NormalEquations<unknowns> equationsAt(const Unknowns& u) const
     {
-        constexpr double step = 1e-4;       // central differences: their error is its square
-        std::vector<SearchedProfile> more, less;
-        for (std::size_t k = 0; k < unknowns; ++k)
-        {
-            Unknowns up = u, down = u;
-            up[k] += step;
-            down[k] -= step;
-            more.emplace_back(fitOf(up));
-            less.emplace_back(fitOf(down));
-        }
-        const SearchedProfile here(fitOf(u));
+        constexpr double step = 1e-3;       // their error is its square
+        Unknowns rounder = u, sharper = u;
+        rounder[1] += step;
+        sharper[1] -= step;
+        const SearchedProfile here = profileAt(u), more = profileAt(rounder), less = profileAt(sharper);
+        const double top = size_*u[0], grown = std::exp(step), shrunk = std::exp(-step);
         NormalEquations<unknowns> equations;
         for (const MeridianPoint& p : points_)
         {
-            Unknowns row;
-            for (std::size_t k = 0; k < unknowns; ++k)
-            {
-                row[k] = (more[k].distance(p) - less[k].distance(p))/(2*step)/size_;
-            }
-            equations.add(row, -here.distance(p)/size_, p.weight);
+            const auto slope = [](double up, double down) { return (up - down)/(2*step); };
+            const double byTop = slope(here.distance(p, top + step*size_), here.distance(p, top - step*size_));
+            const double byRadius = slope(more.distance(p), less.distance(p));
+            const double byScale = isKnown_ ? byRadius : slope(here.distanceScaled(p, grown), here.distanceScaled(p, shrunk));
+            equations.add({byTop/size_, byRadius/size_, (byScale - byRadius)/size_}, -here.distance(p)/size_, p.weight);
         }
+        if (isKnown_) equations.matrix[2][2] = 1;       // its row has nothing else: no change
         return equations;
     }
 
 private:
+    SearchedProfile profileAt(const Unknowns& u) const
+    {
+        ++profiles_;
+        return SearchedProfile(fitOf(u));
+    }
+
     const std::vector<MeridianPoint>& points_;
     double size_;                           // of the drop, m
-    bool hangs_;
+    bool hangs_, isKnown_;
+    mutable int profiles_ = 0;
 };
 
 // A sphere's height at the apex against that half way out, where the drop is a sphere or flatter.
@@ -108,17 +124,17 @@ double apexRadiusOf(const std::vector<MeridianPoint>& points, double apex, doubl
     return rise > 0 ? 0.5*square/rise : widest;
 }
 
-// The least squares that Levenberg-Marquardt steps from u come to.
+// The least squares that Levenberg-Marquardt steps from u come to. smallestGain: the share of them that a step has to gain.
 struct Minimum
 {
     Unknowns u;
     double squares;
 };
 
-Minimum descend(const ProfileSearch& search, Unknowns u, double shortest, double longest)
+Minimum descend(const ProfileSearch& search, Unknowns u, double shortest, double longest, double smallestGain)
 {
     constexpr int maxSteps = 100;
-    constexpr double smallestGain = 1e-9, longestStep = 0.5, mostDamping = 1e6;
+    constexpr double longestStep = 0.5, mostDamping = 1e6;
     double squares = search.meanSquare(u), damping = 1e-3;
     for (int step = 0; step < maxSteps && damping < mostDamping; ++step)
     {
@@ -148,10 +164,10 @@ Minimum descend(const ProfileSearch& search, Unknowns u, double shortest, double
     return {u, squares};
 }
 
-// Every so many of the points, some thousands of them.
+// Every so many of the points, some hundreds of them.
 std::vector<MeridianPoint> thinned(const std::vector<MeridianPoint>& points)
 {
-    constexpr std::size_t enough = 2000;
+    constexpr std::size_t enough = 500;
     const std::size_t stride = std::max<std::size_t>(1, points.size()/enough);
     std::vector<MeridianPoint> chosen;
     for (std::size_t i = 0; i < points.size(); i += stride) chosen.push_back(points[i]);
@@ -160,12 +176,13 @@ std::vector<MeridianPoint> thinned(const std::vector<MeridianPoint>& points)
 
 }
 
-DropProfile ProfileFit::profile(int points) const
+DropProfile ProfileFit::profile(int points, double tolerance) const
 {
-    return hangs ? hangingDrop(apexRadius, capillaryLength, 180, points) : bashforthAdams(apexRadius, capillaryLength, 180, points);
+    return hangs ? hangingDrop(apexRadius, capillaryLength, 180, points, tolerance)
+        : bashforthAdams(apexRadius, capillaryLength, 180, points, tolerance);
 }
 
-std::optional<ProfileFit> fitProfile(const std::vector<MeridianPoint>& points, bool hangs)
+std::optional<ProfileFit> fitProfile(const std::vector<MeridianPoint>& points, bool hangs, std::optional<double> capillaryLength)
 {
     constexpr std::size_t fewest = 10;
     if (points.size() < fewest) return std::nullopt;
@@ -178,25 +195,28 @@ std::optional<ProfileFit> fitProfile(const std::vector<MeridianPoint>& points, b
     }
     if (!(widest > 0)) return std::nullopt;
 
-    // A puddle has another minimum where l is as long as the puddle is wide, which is not the least. Few of the points tell which is.
+    // A puddle has another minimum where l is as long as the puddle is wide, which is not the least. Few of the points and few steps tell which is.
+    const bool isKnown = capillaryLength.has_value();
     const std::vector<MeridianPoint> few = thinned(points);
-    const ProfileSearch search(points, widest, hangs), coarse(few, widest, hangs);
-    const double shortest = std::log(widest/30), longest = std::log(10*widest);        // of l
+    const ProfileSearch search(points, widest, hangs, isKnown), coarse(few, widest, hangs, isKnown);
+    const double shortest = isKnown ? -HUGE_VAL : std::log(widest/30), longest = isKnown ? HUGE_VAL : std::log(10*widest);      // of l
+    std::vector<double> starts = hangs ? std::vector{3.0, 1.5, 0.75} : std::vector{1.0, 0.3, 0.1};          // one that hangs is no puddle
+    if (isKnown) starts = {*capillaryLength/widest};
     Unknowns start{apex/widest, std::log(apexRadiusOf(points, apex, widest)), 0};
     Minimum least{{}, HUGE_VAL};
-    const double starts[2][3] = {{1.0, 0.3, 0.1}, {3.0, 1.5, 0.75}};        // one that hangs is no puddle
-    for (const double l : starts[hangs])
+    for (const double l : starts)
     {
         start[2] = std::log(l*widest);
-        const Minimum found = descend(coarse, start, shortest, longest);
+        const Minimum found = descend(coarse, start, shortest, longest, 0.01);
         if (found.squares < least.squares) least = found;
     }
-    if (few.size() < points.size() && std::isfinite(least.squares)) least = descend(search, least.u, shortest, longest);
+    if (std::isfinite(least.squares)) least = descend(search, least.u, shortest, longest, 1e-8);
     // Next to the ends of the range the least squares are beyond it.
     constexpr double margin = 0.1;
-    if (least.u[2] < shortest + margin || least.u[2] > longest - margin) return std::nullopt;
+    if (!(least.u[2] > shortest + margin && least.u[2] < longest - margin)) return std::nullopt;
     ProfileFit fit = search.fitOf(least.u);
     fit.rms = std::sqrt(least.squares);
+    fit.profiles = coarse.profiles() + search.profiles();
     return fit;
 }
 

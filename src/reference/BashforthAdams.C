@@ -24,16 +24,13 @@ namespace roots = boost::math::tools;
 
 using State = std::array<double, 4>;        // x, z, phi, V
 
-constexpr double tolerance = 1e-12;         // of a step of the integration
-
-
 void refuse(const std::string& what, double value)
 {
     throw FatalError("A drop's profile needs " + what + ", not " + std::to_string(value));
 }
 
 // smallest: of the numbers that count. On a wide puddle all but x begin as small as the apex's curvature.
-auto denseStepper(double smallest)
+auto denseStepper(double smallest, double tolerance)
 {
     return odeint::make_dense_output(tolerance*smallest, tolerance, odeint::runge_kutta_dopri5<State>());
 }
@@ -43,11 +40,11 @@ class YoungLaplace
 {
 public:
     // gravity: 1 where it presses the drop onto its wall, -1 where it pulls at one that hangs.
-    YoungLaplace(double apexRadius, double capillaryLength, int gravity)
+    YoungLaplace(double apexRadius, double capillaryLength, int gravity, double tolerance)
     :
         unit_(1/(1/apexRadius + 1/capillaryLength)),
         apexCurvature_(unit_/apexRadius),
-        gravity_(gravity*unit_*unit_/(capillaryLength*capillaryLength))
+        gravity_(gravity*unit_*unit_/(capillaryLength*capillaryLength)), tolerance_(tolerance)
     {}
 
     double unit() const { return unit_; }   // m
@@ -68,7 +65,7 @@ public:
             (*this)(state, slope, 0);
             return std::max(state[2] - angle, -slope[2]);
         };
-        auto stepper = denseStepper(apexCurvature_);
+        auto stepper = denseStepper(apexCurvature_, tolerance_);
         stepper.initialize(State{}, 0, 1e-3);
         while (excess(stepper.current_state()) < 0) stepper.do_step(*this);
         if (excess(stepper.current_state()) == 0) return stepper.current_time();
@@ -94,7 +91,7 @@ public:
         State state{};
         odeint::integrate_times
         (
-            denseStepper(apexCurvature_), *this, state, lengths.begin(), lengths.end(), 1e-3*end,
+            denseStepper(apexCurvature_, tolerance_), *this, state, lengths.begin(), lengths.end(), 1e-3*end,
             [&](const State& at, double s)
             {
                 result.push_back({unit_*s, unit_*at[0], unit_*at[1], at[2], unit_*unit_*unit_*at[3]});
@@ -104,28 +101,28 @@ public:
     }
 
 private:
-    double unit_, apexCurvature_, gravity_;
+    double unit_, apexCurvature_, gravity_, tolerance_;
 };
 
-DropProfile profileOf(double apexRadius, double capillaryLength, double contactAngle, int points, int gravity)
+DropProfile profileOf(double apexRadius, double capillaryLength, double contactAngle, int points, int gravity, double tolerance)
 {
     if (!(apexRadius > 0 && std::isfinite(apexRadius))) refuse("a positive radius of its apex", apexRadius);
     if (!(capillaryLength > 0)) refuse("a positive capillary length", capillaryLength);
     if (!(contactAngle > 0 && contactAngle <= 180)) refuse("a contact angle above 0 and up to 180 degrees", contactAngle);
-    const YoungLaplace equation(apexRadius, capillaryLength, gravity);
+    const YoungLaplace equation(apexRadius, capillaryLength, gravity, tolerance);
     return {apexRadius, capillaryLength, equation.points(equation.lengthTo(radians(contactAngle)), points)};
 }
 
 }
 
-DropProfile bashforthAdams(double apexRadius, double capillaryLength, double contactAngle, int points)
+DropProfile bashforthAdams(double apexRadius, double capillaryLength, double contactAngle, int points, double tolerance)
 {
-    return profileOf(apexRadius, capillaryLength, contactAngle, points, 1);
+    return profileOf(apexRadius, capillaryLength, contactAngle, points, 1, tolerance);
 }
 
-DropProfile hangingDrop(double apexRadius, double capillaryLength, double contactAngle, int points)
+DropProfile hangingDrop(double apexRadius, double capillaryLength, double contactAngle, int points, double tolerance)
 {
-    return profileOf(apexRadius, capillaryLength, contactAngle, points, -1);
+    return profileOf(apexRadius, capillaryLength, contactAngle, points, -1, tolerance);
 }
 
 DropProfile bashforthAdamsWhere

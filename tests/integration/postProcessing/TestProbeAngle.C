@@ -146,6 +146,20 @@ TEST_F(DropCase, ProbeAngleFitsTheSurfaceTensionUnderGravity)
     EXPECT_NEAR(number(upright.at("profileRadius")), profile.contactRadius(), 0.03*spacing);
     EXPECT_NEAR(number(upright.at("profileAngle")), 80, 0.5);
     EXPECT_EQ(upright.at("advancing"), "nan");                  // the wall is no slope
+    // The liquid's own l, sqrt(0.07/(1000*10)) = 2.65 mm, is three times the mesh's: the sphere is no worse, and tangents are taken where both are off.
+    EXPECT_NE(upright.at("method"), "none");
+    // With the sigma of the mesh the answer is the profile's, and the other methods are told where they are asked for.
+    std::ostringstream sigma;
+    sigma << "rho 1000;\nnu 1e-6;\nsigma " << 1000*10*l*l << ";\n";
+    write("constant/liquidProperties", sigma.str());
+    const auto known = measure("(0 0 -10)");
+    EXPECT_EQ(known.at("method"), "profile");
+    EXPECT_NEAR(number(known.at("contactAngle")), 80, 0.5);
+    const std::string brief = call("probeAngle").text, all = call("probeAngle", "-methods").text;
+    EXPECT_TRUE(holds(brief, {"measured angle      8", "by the profile of a drop under gravity"}));
+    EXPECT_EQ(brief.find("by a sphere"), std::string::npos);
+    EXPECT_TRUE(holds(all, {"by a sphere", "by tangents", "sigma free"}));
+    write("constant/liquidProperties", "rho 1000;\nnu 1e-6;\nsigma 0.07;\n");
     // Neither on a slope nor below a ceiling is the drop axisymmetric about the wall's normal and standing.
     const auto slope = measure("(5 0 -8)");
     EXPECT_EQ(slope.at("sigma"), "nan");
@@ -173,6 +187,8 @@ TEST_F(DropCase, ProbeAngleTakesAnalyticPlanesAndSelectedTimes)
     ASSERT_EQ(rows.size(), 1u);
     EXPECT_EQ(number(rows[0].at("prescribed")), 75);
     EXPECT_NEAR(number(rows[0].at("angle")), 75, 0.5);
+    EXPECT_EQ(rows[0].at("method"), "cap");
+    EXPECT_EQ(rows[0].at("contactAngle"), rows[0].at("angle"));
 }
 
 TEST_F(DropCase, ProbeAngleRefusesBadInput)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "drops/DropTable.H"
 #include "drops/Drops.H"
 #include "caseFiles/WallPlane.H"
 #include "support/CapMesh.H"
@@ -97,4 +98,27 @@ TEST(WallPlane, CurvedPatchesAreNone)
         }
     }
     EXPECT_FALSE(planeOf(walls, "bowl", spacing));
+}
+
+// One answer: of the two fits the one that is nearer to the surface; tangents where neither is near; none where nothing touches.
+TEST(DropTable, TheAngleIsThatOfTheFitWhichFollowsTheSurface)
+{
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const auto methodOf = [](double profile, double cap, double tangents)
+    {
+        DropRecord record;
+        if (!std::isnan(profile)) record.underGravity = {50, 1e-3, profile};
+        record.shape.angle = std::isnan(cap) ? cap : 55;
+        record.shape.residual = cap;
+        record.shape.mean = tangents;
+        const MeasuredAngle chosen = chosenAngle(record);
+        return std::pair(word(chosen.method), chosen.angle);
+    };
+    using Answer = std::pair<std::string, double>;
+    EXPECT_EQ(methodOf(0.05, 0.06, 54), Answer("profile", 50));
+    EXPECT_EQ(methodOf(0.06, 0.05, 54), Answer("cap", 55));
+    EXPECT_EQ(methodOf(none, 0.05, 54), Answer("cap", 55));
+    EXPECT_EQ(methodOf(0.3, 0.25, 54), Answer("tangents", 54));
+    EXPECT_EQ(methodOf(0.3, 0.25, none), Answer("cap", 55));
+    EXPECT_EQ(methodOf(none, none, none).first, "none");
 }

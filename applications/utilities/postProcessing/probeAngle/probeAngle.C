@@ -55,7 +55,7 @@ public:
         parts_(parts), times_(selectTimesWith(args, holdsSurface, "a surface mesh", "<time>/surface/liquid.ply: run meshSurface before")),
         walls_(readCaseWalls(args.casePath())), controls_(readControls(args.casePath(), walls_)),
         measurement_(args.casePath(), controls_, walls_, readSpacing(args.casePath())),
-        table_(dropTable(args.casePath()/"postProcessing/probeAngle"/times_.front().name/"angle.csv"))
+        methods_(args.found("methods")), table_(dropTable(args.casePath()/"postProcessing/probeAngle"/times_.front().name/"angle.csv"))
     {}
 
     // The parts take a time each, one round after another.
@@ -121,7 +121,7 @@ private:
         std::ostringstream text;
         text << "Time = " << time.name << ": " << records.size() << (records.size() == 1 ? " drop\n" : " drops\n");
         if (&time != &times_.back()) return text.str();
-        for (const DropRecord& record : records) text << '\n' << report(record, controls_.wall);
+        for (const DropRecord& record : records) text << '\n' << report(record, controls_.wall, methods_);
         return text.str();
     }
 
@@ -130,6 +130,7 @@ private:
     CaseWalls walls_;
     DropControls controls_;
     DropMeasurement measurement_;
+    bool methods_;
     CsvFile table_;
 };
 
@@ -138,6 +139,7 @@ private:
 int main(int argc, char** argv)
 {
     std::vector<Option> options = timeSelectionOptions();
+    options.push_back({"methods", "", "print the angle by each method too: profile, sphere, tangents", ""});
     options.push_back(parallelOption("probeAngle"));
     const ApplicationInfo info
     {

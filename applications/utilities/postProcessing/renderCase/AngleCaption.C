@@ -81,11 +81,17 @@ std::set<double> prescribedAngles(const std::filesystem::path& casePath, double 
     return angles.size() <= most ? angles : std::set<double>();
 }
 
+// The answer of a drop's row; tables of older versions have the sphere's angle alone.
+std::string angleOf(Row& row)
+{
+    return row.contains("contactAngle") ? row["contactAngle"] : row["angle"];
+}
+
 // A table has the mean below the drop: told where it is one of those that were prescribed.
 std::string describe(Row& row, const std::set<double>& angles)
 {
     constexpr double digits = 0.05;     // degrees
-    std::string text = row["state"] == "attached" ? "contact angle " + degrees(row["angle"], 1) : row["state"];
+    std::string text = row["state"] == "attached" ? "contact angle " + degrees(angleOf(row), 1) : row["state"];
     const double prescribed = std::atof(row["prescribed"].c_str());
     const bool is = std::any_of(angles.begin(), angles.end(), [&](double angle) { return std::abs(angle - prescribed) < digits; });
     if (is) text += " (prescribed " + degrees(row["prescribed"], 0) + ")";
@@ -98,7 +104,7 @@ constexpr std::size_t mostLines = 3;
 std::string summarise(std::vector<Row>& rows)
 {
     std::map<std::string, std::vector<double>> angles;
-    for (Row& row : rows) angles[row["state"]].push_back(std::atof(row["angle"].c_str()));
+    for (Row& row : rows) angles[row["state"]].push_back(std::atof(angleOf(row).c_str()));
     std::ostringstream out;
     out << std::fixed << std::setprecision(1);
     for (const auto& [state, values] : angles)
