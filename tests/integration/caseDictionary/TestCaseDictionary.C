@@ -77,6 +77,16 @@ TEST_F(CaseDictionary, SetChangesTheValueAlone)
     EXPECT_EQ(run("constant/wettability -entry base.c -value").text, "(1 2 3)\n");
 }
 
+// What was meant may be written with a slip: the word is kept, and told.
+TEST_F(CaseDictionary, AWordInPlaceOfANumberIsWarnedOf)
+{
+    EXPECT_TRUE(run("constant/wettability -entry base -set 50").text.empty());
+    const Outcome slip = run("constant/wettability -entry base -set abc");
+    EXPECT_EQ(slip.status, 0);
+    EXPECT_TRUE(holds(slip.text, {"WARNING: Entry 'base' was the number 50, and is the word 'abc' now"}));
+    EXPECT_TRUE(run("constant/wettability -entry base -set '#calc \"40+5\"'").text.empty());
+}
+
 TEST_F(CaseDictionary, AddAndRemoveKeepEverythingElse)
 {
     EXPECT_EQ(run("constant/wettability -entry floor.region.y -add 2").status, 0);
@@ -104,7 +114,7 @@ TEST_F(CaseDictionary, RefusesAndLeavesTheFileAlone)
         EXPECT_EQ(file(), text_) << arguments;
     };
     refuses("constant/wettability -entry floor.teta -set 30",
-        {"FATAL IO ERROR", "Did you mean 'theta'?", "at line 3."});
+        {"FATAL IO ERROR", "Did you mean 'theta'?", "at line 3.", "-add in place of -set"});
     refuses("constant/wettability -entry floor.teta", {"Did you mean 'theta'?"});
     refuses("constant/wettability -entry floor.theta -add 30", {"is there already", "at line 5."});
     refuses("constant/wettability -entry floor.theta -set '30; x 1'", {"is not one entry"});

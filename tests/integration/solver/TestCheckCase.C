@@ -226,10 +226,10 @@ TEST_P(CheckCase, ATensionInAnotherUnitIsAskedAbout)
 TEST_P(CheckCase, UtilitiesDictionariesAndSteps)
 {
     write("system/fillLiquidDict", "bodies { drop { type sphere; centre (0 0 0); raduis 1; } }");
-    expectFailures(1, {"'radius' is missing", "Did you mean 'raduis'"});
+    expectFailures(1, {"Entry 'raduis' in dictionary", "did you mean 'radius'? That is missing"});
     remove("system/fillLiquidDict");
     control("deltaT 10; endTime 100;");
-    expectFailures(1, {"more than maxSubSteps 1000"});
+    expectFailures(1, {"more than maxSubSteps 1000", "system/controlDict at line ", "a deltaT of "});
 }
 
 }

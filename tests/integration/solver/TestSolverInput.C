@@ -75,9 +75,9 @@ TEST_P(Input, MissingCase)
 TEST_P(Input, MissingFiles)
 {
     expectMissing("system/solution", {"system/solution"});
-    expectMissing("constant/liquidProperties", {"constant/liquidProperties"});
+    expectMissing("constant/liquidProperties", {"constant/liquidProperties", "copy one to change it, e.g. ", "tutorials/sessileDrop/constant/liquidProperties"});
     expectMissing("constant/models", {"constant/models"});
-    expectMissing("constant/walls", {"constant/walls"});
+    expectMissing("constant/walls", {"constant/walls", "tutorials/sessileDrop/constant/walls"});
     expectMissing("constant/g", {"constant/g"});
     expectMissing("constant/wettability", {"constant/wettability"});
     expectMissing("constant/solid", {"constant/solid/positions", "run sampleSurface"});
@@ -95,7 +95,7 @@ TEST_P(Input, ControlDict)
         "system/controlDict",
         {
             {"endTime 1;\nwriteInterval 1;\n", {"'deltaT' is missing"}},
-            {good + "deltat 1e-3;", {"'deltaT' is missing", "Did you mean 'deltat'"}},
+            {good + "deltat 1e-3;", {"Entry 'deltat' in dictionary", "did you mean 'deltaT'? That is missing"}},
             {good + "deltaT 1e-3;\nmaxco 1;", {"'maxco'", "line 4", "Did you mean 'maxCo'"}},
             {good + "deltaT 0;", {"'deltaT' is 0", "line 3", "> 0"}},
             {good + "deltaT -1e-3;", {"'deltaT' is -0.001", "line 3", "> 0"}},
@@ -119,7 +119,7 @@ TEST_P(Input, Solution)
     (
         "system/solution",
         {
-            {"spacng 1e-3;", {"'spacing' is missing", "Did you mean 'spacng'"}},
+            {"spacng 1e-3;", {"Entry 'spacng' in dictionary", "did you mean 'spacing'? That is missing"}},
             {"spacing 0;", {"'spacing' is 0", "line 1", "> 0"}},
             {"\nspacing -1e-3;", {"'spacing' is -0.001", "line 2"}},
             {"spacing (1 2 3);", {"'spacing'", "a list", "line 1", "a number"}},
@@ -161,7 +161,7 @@ TEST_P(Input, Models)
         "constant/models",
         {
             {good, {"'bodyForce' is missing"}},
-            {good + "bodyforce none;", {"'bodyForce' is missing", "Did you mean 'bodyforce'"}},
+            {good + "bodyforce none;", {"Entry 'bodyforce' in dictionary", "did you mean 'bodyForce'? That is missing"}},
             {good + "bodyForce wind;", {"bodyForce", "'wind'", "line 5", "gravity", "none"}},
             {good + "bodyForce none; presure none;", {"'presure'", "line 5", "Did you mean 'pressure'"}},
             {good + "bodyForce none;\nXSPHCoeffs { d 1; }", {"'d'", "line 6", "XSPHCoeffs"}},
@@ -197,7 +197,7 @@ TEST_P(Input, Walls)
         {
             {"side { type plain; }", {"'type' is 'plain'", "line 1", "Did you mean 'plane'", "cylinder", "particles"}},
             {"side { point (0 0 0); }", {"'type' is missing", "side"}},
-            {plane + "norml (1 0 0);\n}", {"'normal' is missing", "Did you mean 'norml'"}},
+            {plane + "norml (1 0 0);\n}", {"Entry 'norml' in dictionary", "did you mean 'normal'? That is missing"}},
             {plane + "normal (1 0 0);\n    angle 60;\n}", {"'angle'", "line 6"}},
             {plane + "normal (0 0 0);\n}", {"normal", "line 5", "no direction"}},
             {plane + "normal 1;\n}", {"'normal'", "line 5", "a vector"}},
@@ -212,7 +212,7 @@ TEST_P(Input, Walls)
             {"floor { theta 60; }", {"'side' has no contact angle"}},
             {"side { theta 60; }\nlid { theta 90; }", {"no patch or wall 'lid'", "line 2", "floor", "side"}},
             {"side { theta 60; roughness 1; }", {"'roughness'", "line 1"}},
-            {"side { thet 60; }", {"'theta' is missing", "Did you mean 'thet'"}},
+            {"side { thet 60; }", {"Entry 'thet' in dictionary", "did you mean 'theta'? That is missing"}},
             {"\nside { theta -1; }", {"is -1", "line 2", "0 to 180"}},
             {"\nside { type stripes; }", {"'side'", "type stripes", "line 2", "type particles"}},
         }

@@ -8,6 +8,7 @@
 #include "core/messages/Error.H"
 
 #include <iomanip>
+#include <cmath>
 #include <iostream>
 
 using namespace shizuku;
@@ -30,8 +31,8 @@ std::string verdict(const ComparisonRow& row)
 void print(const std::string& name, const ComparisonRow& row)
 {
     std::cout << std::left << std::setw(14) << name << std::setw(32) << row.quantity << std::right << std::setw(13)
-              << row.measured << " " << row.unit << ", reference " << row.reference << ", deviation " << row.deviation
-              << ' ' << row.deviationUnit;
+              << row.measured << (row.unit.empty() ? "" : " ") << row.unit;
+    if (!std::isnan(row.reference)) std::cout << ", reference " << row.reference << ", deviation " << row.deviation << ' ' << row.deviationUnit;
     if (row.judged()) std::cout << ", at most " << row.target << ": " << verdict(row);
     std::cout << '\n';
 }

@@ -124,13 +124,20 @@ TEST(Lookup, SuspectsAMissingSemicolon)
     EXPECT_TRUE(holds(refusal.message, {"'nu' follows the value", "a ';' may be missing"}));
 }
 
-TEST(Lookup, NamesTheNearestKeywordThatIsThere)
+// A slip is told by its own line. An entry that was asked for is none, however near.
+TEST(Lookup, NamesTheMisspeltKeywordFirst)
 {
     const Dictionary dict = Dictionary::parse("a 1;\nliquid\n{\n    densty 998;\n    nu 1e-6;\n}\n", "constant/liquid");
     const Refusal refusal = refusalOf([&] { dict.subDict("liquid").lookup<double>("density"); });
-    EXPECT_EQ(refusal.line, 2);
-    EXPECT_TRUE(holds(refusal.message,
-        {"'density' is missing", "constant/liquid/liquid", "Did you mean 'densty'?", "    nu\n"}));
+    EXPECT_EQ(refusal.line, 4);
+    EXPECT_TRUE(refusal.message.starts_with("Entry 'densty' in dictionary \"constant/liquid/liquid\": did you mean 'density'? That is missing\n"));
+    EXPECT_FALSE(holds(refusal.message, {"Valid choices"}));
+
+    const Dictionary points = Dictionary::parse("point1 1;\nother 2;\n", "someDict");
+    points.lookup<double>("point1");
+    const Refusal missing = refusalOf([&] { points.lookup<double>("point2"); });
+    EXPECT_EQ(missing.line, 1);
+    EXPECT_TRUE(holds(missing.message, {"Entry 'point2' is missing in dictionary \"someDict\"", "beside the entries that are there: point1, other"}));
 }
 
 TEST(Lookup, OffersChoices)
