@@ -14,7 +14,8 @@ StepControl::StepControl(const Dictionary& controlDict)
     adjust_(controlDict.lookupOr("adjustTimeStep", true)),
     maxCo_(controlDict.lookupOr("maxCo", 0.5)),
     maxCapillaryCo_(controlDict.lookupOr("maxCapillaryCo", usualCapillaryCo)),
-    maxSubSteps_(controlDict.lookupOr("maxSubSteps", 1000))
+    maxSubSteps_(controlDict.lookupOr("maxSubSteps", 1000)),
+    where_(controlDict.where("deltaT"))
 {}
 
 std::vector<StepLimit> StepControl::limits
@@ -55,10 +56,11 @@ SubSteps StepControl::divide(double deltaT, double maxSpeed, const Liquid& liqui
     {
         std::ostringstream text;
         text << "The step of " << deltaT << " s would need " << count << " sub-steps (" << steps.limit
-             << " limit), more than maxSubSteps " << maxSubSteps_ << ".\n    The liquid moves at up to " << maxSpeed
-             << " m/s; where that is absurd, the run is diverging.\n"
-             << "    Reduce deltaT, or raise maxSubSteps in system/controlDict.";
-        throw FatalError(text.str());
+             << " limit), more than maxSubSteps " << maxSubSteps_ << '.';
+        std::ostringstream expected;
+        expected << "a deltaT of " << maxSubSteps_*steps.dt << " s at most, or a larger maxSubSteps, in system/controlDict.\n"
+                 << "    The liquid moves at up to " << maxSpeed << " m/s; where that is absurd, the run is diverging";
+        throw FatalInputError(where_, text.str(), expected.str());
     }
     steps.count = std::max(1, int(count));
     steps.dt = deltaT / steps.count;

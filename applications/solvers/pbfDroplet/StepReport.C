@@ -118,6 +118,23 @@ void limitStepsOfBlobs(const FlowView& flow, const Liquid& liquid, TimeStep& ste
               << ", so that none bursts\n";
 }
 
+void reportReady(const Time& time)
+{
+    if (time.running())
+    {
+        std::cout << "Ready for the first step after " << clockTime() << " s" << std::endl;
+        return;
+    }
+    if (time.value() > time.endTime() - TimeState::tolerance*time.deltaT())
+    {
+        std::cout << "Nothing is left to do: the case has reached its endTime, " << time.endTime() << " s.\n"
+                  << "    To go on, set a later endTime in system/controlDict. To begin anew, clean the case (./Allclean), or remove its times but for 0." << std::endl;
+        return;
+    }
+    std::cout << "Nothing is done: stopAt in system/controlDict stops the run at its start.\n"
+              << "    To go on, set stopAt to endTime." << std::endl;
+}
+
 void reportRelaxation(int rounds)
 {
     if (rounds > 0) std::cout << "The liquid overlapped itself: its particles were moved apart in " << rounds << " rounds\n";

@@ -74,7 +74,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     CaseWriter writer(parts);
     ProfileReport profile(args.found("profile"));
     const StopSignals signals;
-    std::cout << "Ready for the first step after " << clockTime() << " s" << std::endl;
+    reportReady(time);
     stopWhereAsked(time, functions, parts);             // by the step that the run goes on from
     Interruption interruption;
     while (time.running())

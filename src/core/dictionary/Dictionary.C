@@ -20,14 +20,45 @@ Dictionary Dictionary::parse(const std::string& text, const std::string& name)
     return DictionaryAccess::make(expandDictionary(SourceText(text, name)), name);
 }
 
+namespace
+{
+
+// A slip of the hand: of the entries that nothing has asked for, the one whose keyword is near.
+std::string misspelt(const Dictionary& dictionary, const std::string& key)
+{
+    std::vector<std::string> unasked = dictionary.keys();
+    const std::set<std::string>& asked = DictionaryAccess::tree(dictionary).data().asked;
+    std::erase_if(unasked, [&](const std::string& each) { return asked.contains(each); });
+    return nearestWord(key, unasked);
+}
+
+std::string list(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+}
+
 Tree& requireEntry(const Dictionary& dictionary, const std::string& key)
 {
     if (!dictionary.found(key))
     {
+        const std::string name = "dictionary \"" + dictionary.name() + "\"";
+        if (const std::string wrong = misspelt(dictionary, key); !wrong.empty())
+        {
+            throw FatalInputError
+            (
+                dictionary.where(wrong), "Entry '" + wrong + "' in " + name + ": did you mean '" + key + "'? That is missing",
+                "'" + key + "' in place of '" + wrong + "', or beside it"
+            );
+        }
+        const std::string there = list(dictionary.keys());
         throw FatalInputError
         (
-            dictionary.where(), "Entry '" + key + "' is missing in dictionary \"" + dictionary.name() + "\"",
-            "'" + key + "' beside the entries that are there", dictionary.keys(), key
+            dictionary.where(), "Entry '" + key + "' is missing in " + name,
+            "'" + key + "'" + (there.empty() ? ": the dictionary is empty" : " beside the entries that are there: " + there)
         );
     }
     return *findEntry(DictionaryAccess::tree(dictionary), key);

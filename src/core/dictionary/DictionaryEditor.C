@@ -62,7 +62,7 @@ DictionaryEditor::DictionaryEditor(std::string text, std::string name)
 void DictionaryEditor::set(const std::string& path, const std::string& value)
 {
     const std::vector<Tree*> entries = findEntries(syntax_, path);
-    if (entries.empty()) failMissing(path);
+    if (entries.empty()) failMissing(path, "an entry that is there, or -add in place of -set to make this one");
     const NodeData& data = entries.back()->data();
     const std::string text = trimmed(value);
     entryText(splitPath(path).keyword, text);
@@ -191,14 +191,14 @@ std::vector<std::string> DictionaryEditor::keywordsBeside(const std::string& pat
     return keywords;
 }
 
-void DictionaryEditor::failMissing(const std::string& path) const
+void DictionaryEditor::failMissing(const std::string& path, const std::string& expected) const
 {
     const SplitPath split = splitPath(path);
     Tree syntax = syntax_;
     const std::vector<Tree*> around =
         split.dictionary.empty() ? std::vector<Tree*>{&syntax} : findEntries(syntax, split.dictionary);
     const SourceLocation where = around.empty() ? SourceLocation{name_, 0} : around.back()->data().where;
-    throw FatalInputError(where, "Entry '" + path + "' is not written in " + name_, "an entry that is there",
+    throw FatalInputError(where, "Entry '" + path + "' is not written in " + name_, expected,
         keywordsBeside(path), split.keyword);
 }
 

@@ -92,6 +92,22 @@ TEST(LiquidBodies, LatticesAreCentred)
     EXPECT_NEAR(length(mean/double(points.size())), 0, 0.06);
 }
 
+// Layers of particles lie at right angles to the axis, and their number stays.
+TEST(LiquidBodies, TheLatticeOfABallCanBeTurned)
+{
+    const auto level = makeBody("type sphere; centre (0 0 0); radius 6;"), turned = makeBody("type sphere; centre (0 0 0); radius 6; latticeAxis (1 1 1);");
+    const auto before = fillLattice(*level, 1, {}), points = fillLattice(*turned, 1, {});
+    EXPECT_EQ(points.size(), before.size());
+    const Vector3 axis = normalized(Vector3(1, 1, 1));
+    for (const Vector3& x : points)
+    {
+        EXPECT_LE(length(x), 6 + 1);
+        const double layer = dot(x, axis) - dot(points.front(), axis);
+        EXPECT_NEAR(layer, std::round(layer), 1e-9);                   // whole spacings along the axis
+    }
+    EXPECT_TRUE(holds(messageOf([] { makeBody("type sphere; centre (0 0 0); radius 1; latticeAxis (0 0 0);"); }), {"latticeAxis"}));
+}
+
 TEST(LiquidBodies, CapHasItsVolumeItsAngleAndStandsOnThePlane)
 {
     for (const double angle : {30.0, 60.0, 90.0, 120.0, 180.0})

@@ -67,6 +67,22 @@ void overrideEntry(DictionaryEditor& editor, Tree& written, std::string path, st
     editor.add(path, value);
 }
 
+// The one token of an entry's value; nullptr of what has none, or several.
+const Tree* onlyItem(const Tree& entry)
+{
+    return entry.data().kind == NodeKind::entry && entry.size() == 1 ? &entry.front().second : nullptr;
+}
+
+// A word in place of a number is a slip more often than not. (Macros and #calc are neither.)
+void warnOfWord(Tree& before, Tree& after, const std::string& path)
+{
+    const std::vector<Tree*> old = findEntries(before, path), now = findEntries(after, path);
+    const Tree* const was = old.empty() ? nullptr : onlyItem(*old.back());
+    const Tree* const is = now.empty() ? nullptr : onlyItem(*now.back());
+    if (!was || !is || was->data().kind != NodeKind::number || is->data().kind != NodeKind::word) return;
+    warning("Entry '" + path + "' was the number " + was->data().text + ", and is the word '" + is->data().text + "' now", is->data().where);
+}
+
 void set(DictionaryEditor& editor, const std::string& path, const std::string& value, const std::string& name)
 {
     Tree written = parseSyntax(SourceText(editor.text(), name));
@@ -74,6 +90,8 @@ void set(DictionaryEditor& editor, const std::string& path, const std::string& v
         && !findEntries(*expandDictionary(SourceText(editor.text(), name)), path).empty();
     if (isGivenElsewhere) overrideEntry(editor, written, path, value);
     else editor.set(path, value);
+    Tree changed = parseSyntax(SourceText(editor.text(), name));
+    warnOfWord(written, changed, path);
 }
 
 void change(const Arguments& args, const std::filesystem::path& file)
