@@ -7,7 +7,7 @@ set(components shizuku)
 # Of the default build; what is built on demand (tests) is not installed.
 set(folders ${SHIZUKU_BACKENDS})
 list(TRANSFORM folders PREPEND backends/)
-list(APPEND folders core geometry reference study advice vtk parallel applications)
+list(APPEND folders core geometry reference study advice vtk liveView parallel applications)
 list(TRANSFORM folders PREPEND ${PROJECT_SOURCE_DIR}/Make/)
 foreach(folder IN LISTS folders)
     get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)

@@ -28,6 +28,7 @@ set(SHIZUKU_CORE_SOURCES
     core/dictionary/IncludeFile.C
     core/dictionary/KeywordPattern.C
     core/dictionary/MacroScope.C
+    core/dictionary/SetEntry.C
     core/dictionary/ValueReader.C
     core/fieldFile/AtomicFile.C
     core/fieldFile/BackgroundWriter.C

@@ -8,9 +8,10 @@ set(SHIZUKU_DEVICE_APPLICATIONS
     utilities/preProcessing/checkCase
 )
 set(pbfDroplet_SOURCES
-    pbfDroplet.C CaseChanges.C CaseWriter.C Divergence.C FallenLiquid.C SameFiles.C SlipReport.C StepReport.C ProfileReport.C Ceilings.C
+    pbfDroplet.C CaseChanges.C CaseWriter.C Divergence.C FallenLiquid.C LiveView.C SameFiles.C SlipReport.C StepReport.C ProfileReport.C Ceilings.C
 )
 set(pbfDroplet_KERNELS ProfileReport.C Ceilings.C FallenLiquid.C)
+set(pbfDroplet_LINK shizukuLiveView)
 set(meshSurface_SOURCES meshSurface.C MeshTimes.C)
 set(postProcess_SOURCES postProcess.C)
 set(adviseCase_SOURCES adviseCase.C CaseForecast.C SolverStart.C)

@@ -172,6 +172,21 @@ std::string FunctionObjects::report() const
     return lines;
 }
 
+std::vector<std::pair<std::string, double>> FunctionObjects::lastNumbers() const
+{
+    std::vector<std::pair<std::string, double>> numbers;
+    for (const Entry& entry : entries_)
+    {
+        const CsvFile* const table = entry.object->table();
+        for (std::size_t c = 0; table && c < table->lastRow().size(); ++c)
+        {
+            const double* const number = std::get_if<double>(&table->lastRow()[c]);
+            if (number && table->columns()[c] != "time") numbers.emplace_back(entry.name + ": " + table->titles()[c], *number);
+        }
+    }
+    return numbers;
+}
+
 std::string FunctionObjects::reasonToEnd() const
 {
     for (const Entry& entry : entries_)

@@ -6,6 +6,7 @@
 #include "core/fieldFile/CsvTable.H"
 #include "core/fieldFile/FieldFile.H"
 #include "core/messages/Error.H"
+#include "liveView/ViewCommand.H"
 #include "meshes/ObjFile.H"
 #include "meshes/PlyFile.H"
 #include "meshes/StlFile.H"
@@ -122,7 +123,8 @@ const std::vector<FuzzTarget>& fuzzTargets()
         {"off", [](const std::string& text) { readSurface(fileOf(text, ".off"), "wall"); }},
         {"csv", readTable},
         {"study", [](const std::string& text) { runsOf(Study::read(fileOf(text, ""))); }},
-        {"png", readPng}
+        {"png", readPng},
+        {"view", [](const std::string& text) { ViewCommand::parse(text); }}
     };
     return targets;
 }

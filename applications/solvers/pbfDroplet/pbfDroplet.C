@@ -8,6 +8,7 @@
 #include "CaseWriter.H"
 #include "Divergence.H"
 #include "FallenLiquid.H"
+#include "LiveView.H"
 #include "ProfileReport.H"
 #include "SameFiles.H"
 #include "StepReport.H"
@@ -74,11 +75,13 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     CaseWriter writer(parts);
     ProfileReport profile(args.found("profile"));
     const StopSignals signals;
+    LiveView view(args, time, liquid, flow);
     reportReady(time);
     stopWhereAsked(time, functions, parts);             // by the step that the run goes on from
     Interruption interruption;
     while (time.running())
     {
+        view.attend(time, functions, signals);
         if (readIfModified(time, parts)) step.readControls();
         if (changes.apply(time, setup))
         {
@@ -109,6 +112,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         writer.write(time, flow, changes, functions);
         profile.count(steps.count);
     }
+    view.attend(time, functions, signals);              // the last state
     writer.finish();
     reportCosts(liquid, writer);
     profile.report(liquid, near);
@@ -133,7 +137,9 @@ extern "C" int runOnDevice(int argc, char** argv)
             parallelOption("pbfDroplet"),
             {"dry-run", "", "read and check everything, print memory and cost, run nothing", ""},
             {"profile", "", "print what each kernel took, per sub-step, at the end", ""},
-            {"noFunctionObjects", "", "leave out the function objects of system/controlDict", ""}
+            {"noFunctionObjects", "", "leave out the function objects of system/controlDict", ""},
+            {"view", "", "show the run in a browser: serve a page at 127.0.0.1, whose address is printed", ""},
+            {"viewAt", "[ADDRESS:]PORT", "the same, at this port, for a browser elsewhere or ssh -L", ""}
         },
         .models = modelList
     };

@@ -45,8 +45,9 @@ CsvFile::CsvFile(std::filesystem::path file, std::vector<Column> columns)
     for (const Column& column : columns)
     {
         header_ += std::exchange(separator, ",");
-        header_ += cellText(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]");
         columns_.push_back(column.name);
+        titles_.push_back(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]");
+        header_ += cellText(titles_.back());
     }
     header_ += '\n';
 }

@@ -208,9 +208,16 @@ void Time::advance()
     state_.value = state_.at(state_.index);
 }
 
+void Time::writeNext()
+{
+    askedIndex_ = state_.index + 1;
+}
+
 bool Time::writeDue() const
 {
-    if (state_.index == start_.index || !controls_.write) return false;
+    if (state_.index == start_.index) return false;
+    if (state_.index == askedIndex_) return true;
+    if (!controls_.write) return false;
     return intervalIsOver() || (!running() && controls_.stopAt != StopAt::noWriteNow);
 }
 

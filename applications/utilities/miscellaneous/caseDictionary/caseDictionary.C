@@ -5,10 +5,10 @@
 #include "core/dictionary/Dictionary.H"
 #include "core/dictionary/DictionaryEditor.H"
 #include "core/dictionary/DictionaryExpansion.H"
-#include "core/dictionary/DictionaryGrammar.H"
 #include "core/dictionary/DictionaryJson.H"
 #include "core/dictionary/DictionaryWriter.H"
 #include "core/dictionary/EntryPath.H"
+#include "core/dictionary/SetEntry.H"
 #include "core/fieldFile/AtomicFile.H"
 
 #include <algorithm>
@@ -54,51 +54,11 @@ void checkOptions(const Arguments& args)
     }
 }
 
-// The entry comes from an included file or a macro: it is written behind them, where it counts, dictionaries around it included.
-void overrideEntry(DictionaryEditor& editor, Tree& written, std::string path, std::string value)
-{
-    SplitPath split = splitPath(path);
-    while (!split.dictionary.empty() && findEntries(written, split.dictionary).empty())
-    {
-        value = "{ " + split.keyword + " " + value + (value.starts_with('{') ? " }" : "; }");
-        path = split.dictionary;
-        split = splitPath(path);
-    }
-    editor.add(path, value);
-}
-
-// The one token of an entry's value; nullptr of what has none, or several.
-const Tree* onlyItem(const Tree& entry)
-{
-    return entry.data().kind == NodeKind::entry && entry.size() == 1 ? &entry.front().second : nullptr;
-}
-
-// A word in place of a number is a slip more often than not. (Macros and #calc are neither.)
-void warnOfWord(Tree& before, Tree& after, const std::string& path)
-{
-    const std::vector<Tree*> old = findEntries(before, path), now = findEntries(after, path);
-    const Tree* const was = old.empty() ? nullptr : onlyItem(*old.back());
-    const Tree* const is = now.empty() ? nullptr : onlyItem(*now.back());
-    if (!was || !is || was->data().kind != NodeKind::number || is->data().kind != NodeKind::word) return;
-    warning("Entry '" + path + "' was the number " + was->data().text + ", and is the word '" + is->data().text + "' now", is->data().where);
-}
-
-void set(DictionaryEditor& editor, const std::string& path, const std::string& value, const std::string& name)
-{
-    Tree written = parseSyntax(SourceText(editor.text(), name));
-    const bool isGivenElsewhere = findEntries(written, path).empty()
-        && !findEntries(*expandDictionary(SourceText(editor.text(), name)), path).empty();
-    if (isGivenElsewhere) overrideEntry(editor, written, path, value);
-    else editor.set(path, value);
-    Tree changed = parseSyntax(SourceText(editor.text(), name));
-    warnOfWord(written, changed, path);
-}
-
 void change(const Arguments& args, const std::filesystem::path& file)
 {
     DictionaryEditor editor(readText(file), file.string());
     const std::string path = args.get("entry");
-    if (args.found("set")) set(editor, path, args.get("set"), file.string());
+    if (args.found("set")) setEntry(editor, path, args.get("set"), file.string());
     else if (args.found("add")) editor.add(path, args.get("add"));
     else editor.remove(path);
     writeAtomically(file, [&](std::ostream& stream) { stream << editor.text(); });

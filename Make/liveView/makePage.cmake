@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Puts style and scripts into the page, and the page into a source of C++:  cmake -DPARTS="page.html;..." -DOUTPUT=ViewPage.C -P makePage.cmake
+set(style "")
+set(script "")
+foreach(part IN LISTS PARTS)
+    file(READ ${part} text)
+    if(part MATCHES "[.]html$")
+        set(html "${text}")
+    elseif(part MATCHES "[.]css$")
+        string(APPEND style "${text}")
+    else()
+        string(APPEND script "${text}")
+    endif()
+endforeach()
+string(REPLACE "/*style*/" "${style}" html "${html}")
+string(REPLACE "/*script*/" "${script}" html "${html}")
+file(WRITE ${OUTPUT} "// Made by Make/liveView/makePage.cmake.\n#include \"liveView/ViewPage.H\"\n\nnamespace shizuku\n{\n\nconst std::string& viewPage()\n{\n    static const std::string page = R\"page(${html})page\";\n    return page;\n}\n\n}\n")
