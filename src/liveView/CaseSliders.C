@@ -2,7 +2,10 @@
 #include "liveView/CaseSliders.H"
 
 #include "core/dictionary/Dictionary.H"
+#include "core/dictionary/DictionaryEditor.H"
+#include "core/dictionary/DictionaryExpansion.H"
 #include "core/dictionary/SetEntry.H"
+#include "core/fieldFile/AtomicFile.H"
 #include "core/messages/Error.H"
 #include "liveView/ViewFrame.H"
 
@@ -63,6 +66,13 @@ void addGravity(std::vector<CaseSlider>& sliders, const std::filesystem::path& c
     }
 }
 
+void setInFile(const std::filesystem::path& file, const std::string& entry, const std::string& value)
+{
+    DictionaryEditor editor(readText(file), file.string());
+    setEntry(editor, entry, value, file.string());
+    writeAtomically(file, [&](std::ostream& stream) { stream << editor.text(); });
+}
+
 std::vector<CaseSlider>::const_iterator slider(const std::vector<CaseSlider>& sliders, const std::string& name)
 {
     return std::find_if(sliders.begin(), sliders.end(), [&](const CaseSlider& one) { return one.name == name; });
@@ -120,10 +130,10 @@ void CaseSliders::set(const std::string& name, double value)
         throw FatalInputError({}, "The slider " + name + " cannot be " + jsonNumber(value), jsonNumber(one->low) + " to " + jsonNumber(one->high));
     }
     const auto file = case_/one->file;
-    if (one->component < 0) return setEntry(file, one->entry, one->dimensions + jsonNumber(value));
+    if (one->component < 0) return setInFile(file, one->entry, one->dimensions + jsonNumber(value));
     auto vector = Dictionary::read(file).lookup<std::array<double, 3>>(one->entry);
     vector[one->component] = value;
-    setEntry(file, one->entry, "(" + jsonNumber(vector[0]) + " " + jsonNumber(vector[1]) + " " + jsonNumber(vector[2]) + ")");
+    setInFile(file, one->entry, "(" + jsonNumber(vector[0]) + " " + jsonNumber(vector[1]) + " " + jsonNumber(vector[2]) + ")");
 }
 
 std::string CaseSliders::json() const

@@ -83,7 +83,7 @@ ViewCommand ViewCommand::parse(std::string_view message)
         case Kind::next:
         case Kind::time: command.value = wholeNumber(rest); break;
         default:
-            if (!rest.empty()) failMessage("A message goes on behind its word", "the word alone");
+            if (message.find(' ') != std::string_view::npos) failMessage("A message goes on behind its word", "the word alone");
     }
     return command;
 }

@@ -5,7 +5,6 @@
 #include "core/dictionary/DictionaryExpansion.H"
 #include "core/dictionary/DictionaryGrammar.H"
 #include "core/dictionary/EntryPath.H"
-#include "core/fieldFile/AtomicFile.H"
 #include "core/messages/Error.H"
 
 namespace shizuku
@@ -54,13 +53,6 @@ void setEntry(DictionaryEditor& editor, const std::string& path, const std::stri
     else editor.set(path, value);
     Tree changed = parseSyntax(SourceText(editor.text(), name));
     warnOfWord(written, changed, path);
-}
-
-void setEntry(const std::filesystem::path& file, const std::string& path, const std::string& value)
-{
-    DictionaryEditor editor(readText(file), file.string());
-    setEntry(editor, path, value, file.string());
-    writeAtomically(file, [&](std::ostream& stream) { stream << editor.text(); });
 }
 
 }

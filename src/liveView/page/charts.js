@@ -12,7 +12,7 @@ class Charts {
 
     // What an engineer looks for first comes first.
     static rank(name) {
-        const at = [/angle/i, /diameter|radius|width/i, /height/i, /volume/i, /energy/i, /speed/i].findIndex(word => word.test(name));
+        const at = [/^angle/i, /diameter|radius|width/i, /height/i, /volume/i, /energy/i, /speed/i].findIndex(word => word.test(name.split(": ").pop()));
         return at < 0 ? 9 : at;
     }
 

@@ -49,7 +49,8 @@ function withPrefix(x, unit, digits = 3) {
     if (x === 0) return "0 " + unit;
     const steps = { "-4": "p", "-3": "n", "-2": "µ", "-1": "m", 0: "", 1: "k", 2: "M" };
     const step = Math.max(-4, Math.min(2, Math.floor(Math.log10(Math.abs(x) * (1 + 1e-12)) / 3)));
-    return (x / 1000 ** step).toPrecision(digits) + " " + steps[step] + unit;
+    const text = (x / 1000 ** step).toPrecision(digits);
+    return (text.includes("e") ? String(+text) : text) + " " + steps[step] + unit;
 }
 
 // At most 4 digits, with a power where they would be many.

@@ -22,7 +22,7 @@ vec3 thetaColour(float theta) {
     return t < .5 ? mix(vec3(.13, .45, .74), vec3(.88, .90, .91), t*2.) : mix(vec3(.88, .90, .91), vec3(.86, .42, .16), t*2. - 1.);
 }
 vec3 shade(vec3 colour, vec3 n, vec3 at, vec3 up, float shine) {
-    float ambient = .50 + .12*dot(n, up), direct = max(dot(n, sun), 0.)*.42*lit(at);
+    float ambient = .55 + .12*dot(n, up), direct = max(dot(n, sun), 0.)*.42*lit(at);
     vec3 h = normalize(sun - normalize(at));
     return colour*(ambient + direct) + shine*pow(max(dot(n, h), 0.), 40.);
 }`,
@@ -88,14 +88,14 @@ uniform float theta, reach, grid, opacity;      // theta < 0: none
 out vec4 colour;
 float lines(float x, float width) { float d = abs(fract(x/grid - .5) - .5)*grid, w = fwidth(x); return 1. - smoothstep(width*w, (width + 1.)*w, d); }
 void main() {
-    vec3 base = theta < 0. ? vec3(.86, .89, .91) : mix(vec3(.88, .90, .92), thetaColour(theta), .42);
+    vec3 base = theta < 0. ? vec3(.86, .89, .91) : mix(vec3(.88, .90, .92), thetaColour(theta), .36);
     vec3 m = normalize(n); if (dot(m, at) > 0.) m = -m;
     float fade = 1.;
     if (reach > 0.) {
         vec3 d = world - middle; float r = length(d);
         fade = 1. - smoothstep(.45*reach, reach, r);
         float u = dot(d, across1), v = dot(d, across2);
-        base *= 1. - .16*max(lines(u, .4), lines(v, .4));
+        base *= 1. - .11*max(lines(u, .4), lines(v, .4));
     }
     colour = vec4(shade(base, m, at, up, .04), fade*opacity);
 }`],
@@ -155,17 +155,17 @@ void main() {
     float z = texture(depths, uv).r;
     vec4 behind = texture(background, uv);
     colour = vec4(behind.rgb, 1.);
-    float thick = texture(thicknesses, uv).r, covered = smoothstep(.25, .75, thick);
+    float thick = texture(thicknesses, uv).r, covered = smoothstep(.9, 1.7, thick);
     if (z >= 1e4 || covered <= 0.) return;
     vec3 at = place(uv);
     vec4 clip = projection*vec4(at, 1.);
     if (clip.z/clip.w*.5 + .5 > texture(backgroundDepth, uv).r + 1e-5) return;
-    vec2 x = vec2(pixel.x, 0.), y = vec2(0., pixel.y);
+    vec2 x = vec2(2.*pixel.x, 0.), y = vec2(0., 2.*pixel.y);
     vec3 r = place(uv + x) - at, l = at - place(uv - x), t = place(uv + y) - at, b = at - place(uv - y);
     if (min(abs(r.z), abs(l.z)) > 4. || min(abs(t.z), abs(b.z)) > 4.) return;
     vec3 dx = abs(r.z) < abs(l.z) ? r : l, dy = abs(t.z) < abs(b.z) ? t : b;
     vec3 n = normalize(cross(dx, dy)), eye = normalize(-at);
-    float facing = clamp(dot(n, eye), 0., 1.), fresnel = .02 + .98*pow(1. - facing, 5.);
+    float facing = clamp(dot(n, eye), 0., 1.), fresnel = .02 + .98*pow(1. - facing, 5.)*smoothstep(1.2, 4., thick);
     vec2 shift = -n.xy*min(thick, 14.)*.085/(-at.z*tangent);
     vec2 from = clamp(uv + shift*.5, pixel, 1. - pixel);
     vec3 through = texture(background, from).rgb*exp(-absorption*thick);

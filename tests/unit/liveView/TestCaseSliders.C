@@ -36,7 +36,8 @@ protected:
     std::vector<std::string> names() const
     {
         std::vector<std::string> names;
-        for (const CaseSlider& slider : CaseSliders(folder_).all()) names.push_back(slider.name);
+        const CaseSliders sliders(folder_);
+        for (const CaseSlider& slider : sliders.all()) names.push_back(slider.name);
         return names;
     }
 
