@@ -123,4 +123,5 @@ set(SHIZUKU_DEVICE_SOURCES
     functionObjects/spreadDiameter/SpreadDiameter.C
     functionObjects/stepTime/StepTime.C
     functionObjects/volume/Volume.C
+    models/forces/SemiImplicitTension.C
 )

@@ -89,4 +89,5 @@ set(SHIZUKU_DEVICE_TEST_SUPPORT
     support/FlowCase.C
     support/LiquidCase.C
     support/PairReference.C
+    models/forces/TestSemiImplicitTension.C
 )

@@ -23,6 +23,7 @@ InterParticleForces::InterParticleForces(const Dictionary& models, Liquid& liqui
             models.where("forceCoupling"), "A tension of the free surface acts once a step, where the surface was found", "predictor, or a tension by forces of pairs"
         );
     }
+    if (tension_->freeSurface()) semiImplicit_.emplace(liquid);
     // Iterations move particles on, which are looked for in the cells of the search: of these some are seen that were a cell's diagonal farther.
     if (everyIteration_ && reach_ > 0) reach_ += 1.5f * liquid.support();
 }
@@ -51,11 +52,13 @@ void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const
     isKept_ = false;
     if (!active()) return;
     tension_->begin(dt);
-    if (!wetting_->accelerates() && walls.constraints().all() && tension_->move(liquid, near, walls, dt)) return;
+    const bool isLong = semiImplicit_ && semiImplicit_->isNeeded(dt);
+    if (!isLong && !wetting_->accelerates() && walls.constraints().all() && tension_->move(liquid, near, walls, dt)) return;
     acceleration_.resizeDiscarding(liquid.all());
     acceleration_.setZero();
     tension_->apply(liquid, near, walls, acceleration_);
     wetting_->apply(liquid, near, walls, acceleration_);
+    if (isLong) semiImplicit_->apply(liquid, near, *tension_->freeSurface(), dt, acceleration_);
     displace(liquid, acceleration_, dt);
     isKept_ = !everyIteration_ && tension_->isInternal() && !walls.constraints().all();
     if (!isKept_) acceleration_ = {};

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "models/forces/SemiImplicitTension.H"
+
+#include "device/ForEach.H"
+#include "device/Holds.H"
+
+#include <cmath>
+#include <variant>
+
+namespace shizuku
+{
+
+namespace
+{
+
+constexpr scalar resolvedCapillaryCo = 1.4f;
+
+struct Begin
+{
+    scalar first;                           // the first direction over f
+    FreeSurfaceView surface;
+    HalfSpaceView plane;
+    Span<Vec3> acceleration;                // f, then zero
+    Span<Vec3> normal, residual, direction;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const int k = int(surface.place[i]);
+        const Vec3 G = surface.gradient[k], f = acceleration[i];
+        const scalar slope = norm(G);
+        Vec3 n = -1 / fmax(slope, 1e-20f) * Vec3{G.x, G.y, G.z};
+        n.w = slope > 0 ? 2 * plane(surface.depthOf(k)).gradient : 0;
+        normal[k] = n;
+        residual[k] = f;
+        direction[k] = first * f;
+        acceleration[i] = Vec3{};
+    }
+};
+
+// x += d, r -= (1 + K) d, and the next d.
+template<class Kernel>
+struct Iterate
+{
+    static constexpr Holds holds = Holds::more;
+
+    Kernel W;
+    scalar stiffness;                       // dt^2/4 sigma/rho0 V
+    scalar ofDirection, ofResidual;         // in the next direction
+    Span<const Position> x;
+    NeighbourView near;
+    FreeSurfaceView surface;
+    Span<const Vec3> normal, direction;
+    Span<Vec3> residual, next;
+    Span<Vec3> acceleration;
+
+    HOST_DEVICE void operator()(int i, Team team) const
+    {
+        const int k = int(surface.place[i]);
+        const Position xi = x[i];
+        const Vec3 ni = normal[k], di = direction[k];
+        Vec3 sum;
+        near.forEach(i, [&](int j)
+        {
+            if (surface.isInside(j)) return;
+            const int l = int(surface.place[j]);
+            const Vec3 nj = normal[l];
+            if (!(dot(ni, nj) >= 0)) return;                    // the other side of a film
+            const Vec3 mean = ni + nj;
+            const scalar weight = -W.g(norm(xi - x[j])) * (ni.w + nj.w) / fmax(squared(mean), 1e-20f);
+            sum += weight * dot(mean, di - direction[l]) * mean;
+        }, team);
+        sum = team.sum(sum);
+        if (!team.first()) return;
+        const Vec3 r = residual[k] - di - stiffness * sum;
+        residual[k] = r;
+        acceleration[i] += di;
+        next[k] = ofDirection * di + ofResidual * r;
+    }
+};
+
+}
+
+SemiImplicitTension::SemiImplicitTension(const Liquid& liquid)
+:
+    longest_(resolvedCapillaryCo * liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time)),
+    perArea_(liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension) / liquid.restDensity())
+{
+    const std::vector<HalfSpaceValues> plane = tabulateHalfSpace(liquid.kernel());
+    plane_.upload(plane);
+    // At a surface there are half of the neighbours. The outermost layer lies half a spacing deep, where g is largest.
+    const scalar h = std::visit([](const auto& W) { return W.h; }, liquid.kernel());
+    const scalar weights = 0.5f * plane.front().drag;           // sum_j V k_ij, all around
+    const HalfSpaceView view{{plane.data(), int(plane.size())}, h};
+    largest_ = 2 * 0.5f * weights * 4 * view(0.5f * liquid.spacing()).gradient;
+}
+
+scalar SemiImplicitTension::largestEigenvalue(scalar dt) const { return 1 + stiffness(dt) * largest_; }
+
+int SemiImplicitTension::iterations(scalar dt) const
+{
+    constexpr double left = 0.02;
+    const double root = std::sqrt(double(largestEigenvalue(dt))), rate = (root + 1) / (root - 1);
+    return int(std::ceil(std::log(2 / left) / std::log(rate)));
+}
+
+void SemiImplicitTension::apply
+(
+    const Liquid& liquid, const Neighbourhood& near, const FreeSurface& surface, scalar dt, Buffer<Vec3>& acceleration
+)
+{
+    const int room = surface.particles().indices.size();
+    for (Buffer<Vec3>* vector : {&normal_, &residual_, &direction_, &next_}) vector->resizeDiscarding(room);
+    const FreeSurfaceView view = surface.view();
+    const scalar largest = largestEigenvalue(dt), centre = 0.5f * (largest + 1), radius = 0.5f * (largest - 1);
+    scalar before = radius / centre;
+    std::visit
+    (
+        [&]<class Kernel>(const Kernel& W)
+        {
+            forEach(surface.particles(), Begin
+            {
+                1 / centre, view, {plane_.span(), W.h}, acceleration.span(), normal_.span(), residual_.span(), direction_.span()
+            });
+            liquid.ghosts().copy({valuesOf(surface.particles(), normal_)}, GhostsOf::lists);
+            for (int left = iterations(dt); left > 0; --left)
+            {
+                liquid.ghosts().copy({valuesOf(surface.particles(), direction_)}, GhostsOf::lists);
+                const scalar now = 1 / (2 * centre / radius - before);
+                forEachTeam(surface.particles(), Iterate<Kernel>
+                {
+                    W, stiffness(dt) * liquid.particleVolume(), now * before, 2 * now / radius, liquid.predicted.span(), near.view(), view,
+                    std::as_const(normal_).span(), std::as_const(direction_).span(), residual_.span(), next_.span(), acceleration.span()
+                });
+                direction_.swap(next_);
+                before = now;
+            }
+        },
+        liquid.kernel()
+    );
+    for (Buffer<Vec3>* vector : {&normal_, &residual_, &direction_, &next_}) *vector = {};
+}
+
+}
