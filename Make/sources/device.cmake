@@ -124,4 +124,13 @@ set(SHIZUKU_DEVICE_SOURCES
     functionObjects/stepTime/StepTime.C
     functionObjects/volume/Volume.C
     models/forces/SemiImplicitTension.C
+    sources/HeldLiquid.C
+    sources/Needle.C
+    sources/Nozzle.C
+    sources/Opening.C
+    sources/Rain.C
+    sources/Sources.C
+    sources/TimedValue.C
+    population/Population.C
+    functionObjects/populationBalance/PopulationBalance.C
 )

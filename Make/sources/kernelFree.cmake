@@ -65,4 +65,10 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     functionObjects/spreadDiameter/SpreadDiameter.C
     functionObjects/stepTime/StepTime.C
     functionObjects/volume/Volume.C
+    sources/Needle.C
+    sources/Nozzle.C
+    sources/Opening.C
+    sources/Rain.C
+    sources/TimedValue.C
+    functionObjects/populationBalance/PopulationBalance.C
 )

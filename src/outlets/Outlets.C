@@ -74,12 +74,11 @@ int total(const CountInOutlets::Sum& sum)
 Outlets::Outlets(const std::filesystem::path& casePath, Liquid& liquid)
 {
     const Dictionary dict = readOutlets(casePath);
-    std::vector<OutletRegion> regions;
     for (const std::string& name : dict.dictKeys())
     {
         const Dictionary outlet = dict.subDict(name);
         const auto shape = OutletTable::New("outlet", outlet.lookup<std::string>("type"), outlet.where("type"), outlet);
-        regions.push_back(shape->region().scaled(liquid.units().length));
+        list_.push_back(shape->region().scaled(liquid.units().length));
         names_.push_back(name);
         numbers_.push_back(&liquid.number(numberOf(name), 0));
     }
@@ -88,7 +87,7 @@ Outlets::Outlets(const std::filesystem::path& casePath, Liquid& liquid)
     {
         throw FatalInputError(dict.where(), "There are " + std::to_string(names_.size()) + " outlets", std::to_string(most) + " at most");
     }
-    if (!regions.empty()) regions_.upload(regions);
+    if (!list_.empty()) regions_.upload(list_);
 }
 
 std::vector<std::string> Outlets::names(const std::filesystem::path& casePath)
@@ -116,6 +115,15 @@ void Outlets::keepOthers(Liquid& liquid, int remaining)
     others.indices.resize(remaining);
     liquid.fields().reorder(others.indices);
     liquid.resize(remaining);
+}
+
+std::string Outlets::at(Place place) const
+{
+    for (std::size_t k = 0; k < list_.size(); ++k)
+    {
+        if (list_[k].contains(place)) return names_[k];
+    }
+    return {};
 }
 
 std::string Outlets::report(const std::map<std::string, double>& numbers, double particleVolume) const

@@ -79,9 +79,18 @@ void FieldRegistry::resize(int n, int room)
     for (const auto& entry : entries_) std::visit(resizeField, entry->values);
 }
 
+void FieldRegistry::setBirth(int first)
+{
+    for (const auto& entry : entries_)
+    {
+        auto* const values = std::get_if<Buffer<scalar>>(&entry->values);
+        if (values && entry->info.atBirth != 0) values->upload(std::vector<scalar>(size_ - first, entry->info.atBirth), first);
+    }
+}
+
 void FieldRegistry::reorder(const Buffer<std::uint32_t>& order)
 {
-    if (order.size() != size_) room_ = order.size();
+    if (order.size() != size_ && order.size() < room_ - room_ / 4) room_ = order.size();
     std::vector<AnyBuffer> before;          // what is moved from, as long as it is
     ReorderFields fields;
     fields.order = order.span();

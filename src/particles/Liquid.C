@@ -45,7 +45,7 @@ Liquid::Liquid(const LiquidProperties& properties, const Dictionary& kernelDict)
         .name = "U", .dimensions = dimensions::velocity, .written = true, .restarted = true, .begins = true
     })),
     predicted(fields().add<Position>({.name = "predicted", .dimensions = dimensions::length, .exchanged = true})),
-    density(fields().add<scalar>({.name = "densityRatio", .dimensions = dimensions::none, .written = true})),
+    density(fields().add<scalar>({.name = "densityRatio", .dimensions = dimensions::none, .written = true, .atBirth = 1})),
     id(fields().add<std::uint32_t>
     ({
         .name = "id", .dimensions = dimensions::none, .written = true, .restarted = true, .exchanged = true
@@ -95,7 +95,7 @@ std::vector<Vector3> Liquid::positions() const
     return places;
 }
 
-void Liquid::read(const std::filesystem::path& timeFolder)
+void Liquid::read(const std::filesystem::path& timeFolder, bool mayBeEmpty)
 {
     const auto folder = timeFolder / name();
     const auto refuse = [&](const std::string& reason)
@@ -108,8 +108,9 @@ void Liquid::read(const std::filesystem::path& timeFolder)
         }
         throw FatalInputError({folder.string(), 0}, "There is no liquid: " + reason, expected);
     };
+    if (mayBeEmpty && !std::filesystem::exists(folder / "positions")) return;
     if (!std::filesystem::exists(folder / "positions")) refuse("the file positions is missing");
-    if (readParticles(*this, units_, folder) == 0) refuse("the list of positions is empty");
+    if (readParticles(*this, units_, folder) == 0 && !mayBeEmpty) refuse("the list of positions is empty");
 }
 
 }

@@ -14,7 +14,7 @@ void CaseSetup::make(double start)
     makeLiquid();
     makeWalls(start);
     makeModels();
-    makeOutlets();
+    makePopulation();
     readOverlaps();
     refuseUnused();
 }
@@ -51,9 +51,10 @@ void CaseSetup::makeModels()
     models->takeEffect(*liquid, *walls);
 }
 
-void CaseSetup::makeOutlets()
+void CaseSetup::makePopulation()
 {
-    outlets.emplace(path, *liquid);
+    population.emplace(path, *liquid);
+    if (population->mayComeIn()) population->refuseInWalls(*walls, *emptyLiquid());
 }
 
 void CaseSetup::readOverlaps()
@@ -68,7 +69,8 @@ void CaseSetup::refuseUnused() const
 
 void CaseSetup::readParticles(const Time& time)
 {
-    liquid->read(time.path());
+    liquid->read(time.path(), !Sources::names(path).empty());
+    if (population) population->begin(*liquid);
 }
 
 void CaseSetup::refuseBadStart(const Time& time) const

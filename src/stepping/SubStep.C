@@ -68,6 +68,7 @@ void SubStep::operator()(scalar dt)
 {
     if (begun_ != dt) begin(dt);
     begun_.reset();
+    if (held_) held_->begin(liquid_);
     lengthen
     (
         liquid_, near_, walls_, models_, [&] { models_.bodyForce->predict(liquid_, dt); }, [&] { applyForces(dt); }
@@ -90,6 +91,7 @@ void SubStep::operator()(scalar dt)
     models_.viscosity->apply(liquid_, near_, walls_, dt);
     models_.particleShifting->apply(liquid_, near_, walls_);
     if (models_.heldLine) models_.heldLine->advance(liquid_, near_, walls_, *models_.freeSurface, dt);
+    if (held_) held_->end(liquid_, dt);
 }
 
 void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, scalar dt)

@@ -17,6 +17,7 @@ TimeStep::TimeStep(const Time& time, CaseSetup& setup, Neighbourhood& near)
     subStep_(*setup.liquid, near, *setup.walls, *setup.models), speeds_(meter_.measure(*setup.liquid))
 {
     readControls();
+    if (setup.population && setup.population->mayComeIn()) subStep_.hold(setup.population->held());
 }
 
 void TimeStep::readControls()

@@ -290,6 +290,15 @@ void Walls::refuseLiquidInside(const Liquid& liquid) const
     if (const auto inside = liquidInside(liquid, solid)) refuse(inside->particle, solid.patches[inside->wall], dict_.where());
 }
 
+std::string Walls::solidAround(const Liquid& liquid) const
+{
+    if (const auto inside = liquidInside(liquid, surfaces_)) return surfaceNames_[inside->wall];
+    if (particles() == 0) return {};
+    const SolidParticles solid = readSolidParticles(case_);
+    const auto inside = liquidInside(liquid, solid);
+    return inside ? solid.patches[inside->wall] : std::string();
+}
+
 WallView Walls::view(const Liquid& liquid) const
 {
     if (!layer_) return {{}, surfaces_, {}, liquid.position.span()};

@@ -52,7 +52,7 @@ FallenLiquid::FallenLiquid(const CaseSetup& setup)
 {
     constexpr double far = 100;         // spacings
     const Vector3 g = setup.models->bodyForce->uniform();
-    looks_ = length(g) > 0 && setup.walls->particles() + setup.walls->surfaces() > 0 && Outlets::names(setup.path).empty();
+    looks_ = length(g) > 0 && setup.walls->particles() + setup.walls->surfaces() > 0 && !setup.population->changes();
     if (!looks_) return;
     up_ = -normalized(g);
     Heights all = heightsOf(*setup.liquid, up_);

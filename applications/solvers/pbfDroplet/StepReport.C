@@ -140,7 +140,7 @@ void reportRelaxation(int rounds)
     if (rounds > 0) std::cout << "The liquid overlapped itself: its particles were moved apart in " << rounds << " rounds\n";
 }
 
-void reportStep(const SubSteps& steps, FlowView& flow, const Outlets& outlets, const FunctionObjects& functions)
+void reportStep(const SubSteps& steps, FlowView& flow, const Population& population, const FunctionObjects& functions)
 {
     const LiquidState& state = flow.state();
     std::cout
@@ -151,17 +151,21 @@ void reportStep(const SubSteps& steps, FlowView& flow, const Outlets& outlets, c
         << ", density error average " << state.averageDensityError << ", maximum " << state.maxDensityError << '\n'
         << "volume = " << state.volume << " m3, kinetic energy = " << state.kineticEnergy
         << " J, max |U| = " << state.maxSpeed << " m/s\n";
-    if (const std::string text = outlets.report(flow.numbers(), flow.properties().particleVolume()); !text.empty()) std::cout << "taken out: " << text << '\n';
+    std::cout << population.report(flow.numbers(), flow.properties().particleVolume(), flow.particles());
     std::cout << functions.report() << executionTime() << std::endl;
 }
 
-void takeOut(CaseSetup& setup, Neighbourhood& near, FlowView& flow, Time& time)
+void changePopulation(CaseSetup& setup, Neighbourhood& near, FlowView& flow, Time& time, double from, const DeviceInfo& device)
 {
-    if (setup.outlets->takeOut(*setup.liquid) == 0) return;
+    const Population::Change change = setup.population->endStep(*setup.liquid, from, time.value(), device.memoryBytes);
+    if (!change.any) return;
     near.recount();
     flow.recount();
-    if (flow.particles() > 0) return;
-    std::cout << "\nThe present step is the last: all liquid was taken out" << std::endl;
+    std::string reason;
+    if (flow.particles() == 0 && !setup.population->mayComeIn()) reason = "all liquid was taken out";
+    if (change.isFull) reason = "the device would have no memory for more liquid. A larger spacing, or outlets, leave more";
+    if (reason.empty()) return;
+    std::cout << "\nThe present step is the last: " << reason << std::endl;
     time.stopHere();
 }
 

@@ -89,6 +89,8 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
             functions.modelsMade(flow);
         }
         const SubSteps steps = divideOrRefuse(time, step, setup, writer);
+        const double from = time.value();
+        setup.population->beginStep(liquid, from, time.deltaT());
         time.advance();
         balance.keep(liquid, near);
         cutWalls();
@@ -97,7 +99,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         interruption = stopWhereSignalled(time, signals, parts);
         const bool densitiesAreDue = time.reportDue() || functions.lookAtDensities(time);
         if (densitiesAreDue) flow.computeDensities();
-        takeOut(setup, near, flow, time);
+        changePopulation(setup, near, flow, time, from, device);
         if (time.reportDue()) fallen.warn(liquid);
         step.beginNext(steps);
         refuseDivergence(time, steps, step, setup, writer);
@@ -108,7 +110,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         if (functions.lookAtSurface(time)) flow.gatherSurface(functions.lookAtWholeSurface(time));
         functions.execute(flow);
         stopWhereAsked(time, functions, parts);
-        if (isFirst && time.reportDue()) reportStep(steps, flow, *setup.outlets, functions);
+        if (isFirst && time.reportDue()) reportStep(steps, flow, *setup.population, functions);
         writer.write(time, flow, changes, functions);
         profile.count(steps.count);
     }

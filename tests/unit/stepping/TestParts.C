@@ -3,8 +3,8 @@
 // sums of all parts do not depend on the cut.
 
 #include "device/Sharing.H"
-#include "outlets/Outlets.H"
 #include "parallel/PartsOfProcess.H"
+#include "population/Population.H"
 #include "stepping/SubStep.H"
 #include "support/LiquidCase.H"
 
@@ -36,6 +36,7 @@ struct Scene
     enum { ball, bar, block } shape = ball;     // bar: long enough for particles that no other part sees, and neighbours of whose neighbours none sees; block: for a coarse grid
     std::string moreSolution = {};
     std::string law = {};               // of contact lines
+    std::string sources = {};
 };
 
 std::filesystem::path setsOfModels() { return std::filesystem::path(std::getenv("SHIZUKU_DIR")) / "tests/validation/models"; }
@@ -51,7 +52,7 @@ CaseText textOf(const Scene& scene)
 class CutDrop : public LiquidCase
 {
 public:
-    explicit CutDrop(const Scene& scene) : LiquidCase(textOf(scene)), outlets(writeOutlets(scene.outlets), liquid)
+    explicit CutDrop(const Scene& scene) : LiquidCase(textOf(scene)), population(writePopulation(scene), liquid)
     {
         if (!scene.law.empty()) folder.write("constant/wettability", "floor { " + scene.law + " }");
         const auto set = setsOfModels() / scene.set;
@@ -104,12 +105,16 @@ public:
     std::vector<State> run(int steps)
     {
         SubStep subStep(liquid, near, walls, *models);
+        subStep.hold(population.held());
+        population.begin(liquid);
+        const double each = liquid.units().of(dimensions::time) * dt();
         settle(liquid, near, walls, *models, dt());
         std::vector<State> states{state()};
         for (int k = 0; k < steps; ++k)
         {
+            population.beginStep(liquid, k * each, each);
             subStep(dt());
-            if (outlets.takeOut(liquid) > 0) near.recount();
+            if (population.endStep(liquid, k * each, (k + 1) * each, 0).any) near.recount();
             subStep.begin(dt());
             states.push_back(state());
         }
@@ -118,14 +123,15 @@ public:
 
     int heldSolid() const { return walls.view(liquid).particles.position.size; }
 
-    std::filesystem::path writeOutlets(const std::string& text) const
+    std::filesystem::path writePopulation(const Scene& scene) const
     {
-        folder.write("constant/outlets", text);
+        folder.write("constant/outlets", scene.outlets);
+        folder.write("constant/sources", scene.sources);
         return folder.path();
     }
 
     std::unique_ptr<Models> models;
-    Outlets outlets;
+    Population population;
 };
 
 struct Cut
@@ -314,6 +320,19 @@ TEST(TestParts, AllSetsAreCut)
     for (const auto& set : std::filesystem::directory_iterator(setsOfModels())) folders.push_back(set.path().filename());
     std::sort(folders.begin(), folders.end());
     EXPECT_EQ(folders, std::vector<std::string>(setsToCut.begin(), setsToCut.end()));
+}
+
+// A nozzle above one end of the liquid, a needle below it that draws, and rain beside it: a particle has the number and the place that the whole gives it.
+TEST(TestParts, LiquidThatComesInHasTheBitsOfTheWhole)
+{
+    const std::string sources =
+        "tap { type nozzle; mouth (0 12e-3 8e-3); direction (0 -0.3 -1); radius 2e-3; flowRate 8e-6; }\n"
+        "needle { type needle; mouth (0 -3e-3 0); direction (0 0 1); radius 1.5e-3; flowRate -3e-6; }\n"
+        "shower { type rain; rate 3; corner (-8e-3 -25e-3 16e-3); along (16e-3 0 0); across (0 12e-3 0); direction (0 0 -1); speed 1; sizes { type oneSize; diameter 3e-3; } }\n";
+    for (const std::string set : {"default", "Akinci2013"})
+    {
+        expectSameBits({.set = set, .sampled = set != "default", .steps = 12, .sources = sources}, {slabs(1, false), bisected(2), bisected(3), bisected(5)});
+    }
 }
 
 // Variants of models that no set has.

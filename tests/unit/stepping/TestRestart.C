@@ -2,8 +2,8 @@
 // A run goes on from what it has written, and from what it holds when models change, to the same bits: for every set of models of the ladder.
 
 #include "models/density/Density.H"
-#include "outlets/Outlets.H"
 #include "particles/ParticleFiles.H"
+#include "population/Population.H"
 #include "stepping/SubStep.H"
 #include "support/LiquidCase.H"
 
@@ -46,13 +46,14 @@ struct Chosen
     std::string outlets = {};
     scalar speed = 0.02f;               // scaled, along x
     std::string law = {};               // of contact lines
+    std::string sources = {};
 };
 
 // A drop of the set that falls onto a floor.
 class Drop : public LiquidCase
 {
 public:
-    explicit Drop(const Chosen& chosen) : LiquidCase(caseOnWettedFloor(chosen.sampled, 25, 25)), outlets(writeOutlets(chosen.outlets), liquid), speed(chosen.speed) { choose(chosen); }
+    explicit Drop(const Chosen& chosen) : LiquidCase(caseOnWettedFloor(chosen.sampled, 25, 25)), population(writePopulation(chosen), liquid), speed(chosen.speed) { choose(chosen); }
 
     // Models of another set from now on, as after a change of the dictionaries.
     void choose(const Chosen& chosen)
@@ -66,6 +67,7 @@ public:
         models = std::make_unique<Models>(folder.path(), solution, liquid, walls);
         models->takeEffect(liquid, walls);
         subStep.emplace(liquid, near, walls, *models);
+        subStep->hold(population.held());
     }
 
     void begin()
@@ -79,10 +81,13 @@ public:
     // The next step is begun before one is looked at, as the solver does.
     void steps(int n)
     {
-        for (int k = 0; k < n; ++k)
+        population.begin(liquid);
+        const double each = liquid.units().of(dimensions::time) * dt();
+        for (int k = 0; k < n; ++k, ++made)
         {
+            population.beginStep(liquid, made * each, each);
             (*subStep)(dt());
-            outlets.takeOut(liquid);
+            population.endStep(liquid, made * each, (made + 1) * each, 0);
             subStep->begin(dt());
         }
     }
@@ -117,16 +122,18 @@ public:
         return liquid.units().toScaled(limit, dimensions::time);
     }
 
-    std::filesystem::path writeOutlets(const std::string& text) const
+    std::filesystem::path writePopulation(const Chosen& chosen) const
     {
-        folder.write("constant/outlets", text);
+        folder.write("constant/outlets", chosen.outlets);
+        folder.write("constant/sources", chosen.sources);
         return folder.path();
     }
 
     std::unique_ptr<Models> models;
     std::optional<SubStep> subStep;
-    Outlets outlets;
+    Population population;
     scalar speed;
+    int made = 0;                       // steps
     bool binary = true;
     static constexpr int digits = sizeof(scalar) == 4 ? 9 : 17;     // that keep every bit
 };
@@ -142,6 +149,7 @@ void expectRestart(const Chosen& chosen, bool binary = true)
     first.steps(5);
     first.write(first.folder.path() / "1");
     then.liquid.read(first.folder.path() / "1");
+    then.made = first.made;
     EXPECT_NE(first.bits(), whole.bits());
     then.steps(4);
     EXPECT_EQ(then.bits(), whole.bits());
@@ -193,6 +201,33 @@ TEST(Restart, HasTheSameBitsWhereLiquidIsTakenOut)
         EXPECT_GT(before, 0);
         EXPECT_GT(later, before);
         EXPECT_EQ(all - whole.liquid.owned(), later);
+        expectRestart(chosen);
+    }
+}
+
+// A nozzle with a flow that rises, a needle and drops of rain, beside the drop and into it: each lets liquid in before and after the restart.
+TEST(Restart, HasTheSameBitsWhereLiquidComesIn)
+{
+    for (const std::string set : {"default", "XSPH", "Fujisawa2014"})
+    {
+        const Chosen chosen
+        {
+            .set = set, .outlets = "out { type plane; point (3e-3 0 4.4e-3); normal (1 0.31 0.17); }", .speed = 0.5f, .sources =
+            "tap { type nozzle; mouth (-12e-3 0 12e-3); direction (0.2 0 -1); radius 1.6e-3; velocity { times (0 1e-3 1); values (0.2 0.8 0.8); } }\n"
+            "needle { type needle; mouth (0 0 0); direction (0 0 1); radius 1.5e-3; flowRate 2e-6; }\n"
+            "shower { type rain; rate 3; corner (-20e-3 -20e-3 20e-3); along (12e-3 0 0); across (0 12e-3 0); direction (0 0 -1); speed 0.5;\n"
+            "    sizes { type table; diameters (2.6e-3 3.4e-3); shares (2 1); } seed 4; }\n"
+        };
+        Drop first(chosen), whole(chosen);
+        for (Drop* drop : {&first, &whole}) drop->begin();
+        first.steps(5);
+        whole.steps(9);
+        for (const std::string source : {"tap", "needle", "shower"})
+        {
+            const double before = first.liquid.numbers().at(Sources::numberOf(source)), later = whole.liquid.numbers().at(Sources::numberOf(source));
+            EXPECT_GT(before, 0) << source;
+            EXPECT_GT(later, before) << source;
+        }
         expectRestart(chosen);
     }
 }

@@ -44,14 +44,15 @@ void SolvedCase::readWallsAndModels(Findings& findings)
 {
     const double start = time ? time->value() : 0;
     Liquid standIn(liquid ? liquid->properties() : water, Dictionary());
-    findings.attempt([&] { Outlets(path, standIn); });
     if (!liquid)
     {
+        findings.attempt([&] { Population(path, standIn); });
         std::unique_ptr<Walls> trial;
         findings.attempt([&] { trial = std::make_unique<Walls>(path, start, standIn); });
         return readModelsApart(standIn, trial.get(), findings);
     }
     findings.attempt([&] { makeWalls(start); });
+    findings.attempt([&] { if (walls) makePopulation(); else Population(path, standIn); });
     if (!walls || !findings.attempt([&] { makeModels(); })) return readModelsApart(standIn, walls.get(), findings);
     findings.attempt([&] { readOverlaps(); });
     findings.attempt([&] { refuseUnused(); });

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sources/Sources.H"
+
+#include "device/Algorithms.H"
+#include "device/ForEach.H"
+#include "device/Reduce.H"
+#include "parallel/AllParts.H"
+
+#include <algorithm>
+#include <sstream>
+#include <tuple>
+
+namespace shizuku
+{
+
+namespace
+{
+
+Dictionary readSources(const std::filesystem::path& casePath)
+{
+    const auto file = casePath / "constant/sources";
+    return std::filesystem::exists(file) ? Dictionary::read(file) : Dictionary();
+}
+
+struct Near
+{
+    bool is = false;
+    HOST_DEVICE void add(const Near& other) { is = is || other.is; }
+};
+
+struct IsNear
+{
+    double x, y, z, reach;                      // scaled
+    Span<const Position> position;
+
+    HOST_DEVICE Near operator()(int i) const
+    {
+        const Place p = placeOf(position[i]);
+        const double dx = quanta::lengthOf(p.x) - x, dy = quanta::lengthOf(p.y) - y, dz = quanta::lengthOf(p.z) - z;
+        return {dx * dx + dy * dy + dz * dz < reach * reach};
+    }
+};
+
+// A particle in a stream, and how far ahead it is.
+struct Ahead
+{
+    double along;
+    std::uint32_t id;
+};
+
+struct IsOutside
+{
+    Span<const std::uint32_t> gone;
+    Span<const std::uint32_t> id;
+    Span<std::uint8_t> is;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        bool stays = true;
+        for (int k = 0; k < gone.size; ++k) stays = stays && id[i] != gone[k];
+        is[i] = stays;
+    }
+};
+
+}
+
+Sources::Sources(const std::filesystem::path& casePath, Liquid& liquid)
+{
+    const Dictionary dict = readSources(casePath);
+    for (const std::string& name : dict.dictKeys())
+    {
+        const Dictionary entry = dict.subDict(name);
+        const SourceSetting setting{name, liquid};
+        const SourceLocation where = entry.where("type");
+        list_.push_back({name, where, SourceTable::New("source", entry.lookup<std::string>("type"), where, entry, setting), &liquid.number(numberOf(name), 0)});
+    }
+    dict.refuseUnused();
+}
+
+std::vector<std::string> Sources::names(const std::filesystem::path& casePath)
+{
+    return readSources(casePath).dictKeys();
+}
+
+void Sources::beginStep(const Liquid& liquid, double time, double deltaT)
+{
+    if (list_.empty()) return;
+    std::vector<Stream> streams;
+    for (const Named& named : list_)
+    {
+        if (deltaT > named.source->longestStep())
+        {
+            std::ostringstream found, expected;
+            found << "In a step of " << deltaT << " s the source '" << named.name << "' would move its liquid too far";
+            expected << "a deltaT of at most " << named.source->longestStep() << " s in system/controlDict";
+            throw FatalInputError(named.where, found.str(), expected.str());
+        }
+        if (const auto stream = named.source->stream(time + deltaT / 2)) streams.push_back(stream->scaled(liquid.units().length, liquid.units().of(dimensions::velocity)));
+    }
+    held_.set(streams);
+}
+
+Sources::Change Sources::apply(Liquid& liquid, double from, double to, double& nextNumber, std::size_t memoryBytes)
+{
+    Change change;
+    if (list_.empty()) return change;
+    const double unit = liquid.units().length;
+    const auto isOccupied = [&](const Vector3& place, double reach)
+    {
+        Buffer<Near> scratch;
+        const IsNear near{place.x / unit, place.y / unit, place.z / unit, reach / unit, liquid.position.span()};
+        return liquid.parts().any(reduce(liquid.owned(), near, scratch).is);
+    };
+    std::vector<Birth> births;
+    for (const Named& named : list_)
+    {
+        const std::size_t before = births.size();
+        named.source->bear({from, to, isOccupied}, births);
+        *named.entered += double(births.size() - before);
+    }
+    change.entered = int(births.size());
+    if (liquid.parts().part() == 0) bear(liquid, births, nextNumber);
+    nextNumber += double(births.size());
+    for (const Named& named : list_)
+    {
+        const int due = named.source->due();
+        if (due == 0) continue;
+        const int drawn = draw(liquid, named.source->stream(to)->scaled(unit, 1), due);
+        named.source->drew(drawn);
+        *named.entered -= drawn;
+        change.drawn += drawn;
+    }
+    // Where memory grows next, it grows by a quarter.
+    const DeviceCounters& counters = deviceCounters();
+    const double next = liquid.owned() == 0 ? 0 : double(counters.peakBytes) * 1.3 * liquid.owned() / std::max(liquid.fields().room(), 1);
+    change.isFull = liquid.parts().any(memoryBytes > 0 && change.entered > 0 && next > double(memoryBytes));
+    return change;
+}
+
+void Sources::bear(Liquid& liquid, const std::vector<Birth>& births, double firstNumber)
+{
+    if (births.empty()) return;
+    const double unit = liquid.units().length, unitOfSpeed = liquid.units().of(dimensions::velocity);
+    std::vector<Position> places;
+    std::vector<Vec3> velocities;
+    std::vector<std::uint32_t> numbers;
+    for (const Birth& birth : births)
+    {
+        const Vector3 x = birth.place / unit, u = birth.velocity / unitOfSpeed;
+        places.push_back(positionAt(x.x, x.y, x.z));
+        velocities.push_back({scalar(u.x), scalar(u.y), scalar(u.z)});
+        numbers.push_back(std::uint32_t(firstNumber + double(numbers.size())));
+    }
+    const int first = liquid.owned();
+    liquid.resize(first);                       // without ghosts
+    liquid.grow(first + int(births.size()));
+    liquid.position.upload(places, first);
+    liquid.predicted.upload(places, first);
+    liquid.velocity.upload(velocities, first);
+    liquid.id.upload(numbers, first);
+}
+
+int Sources::draw(Liquid& liquid, const Stream& stream, int most)
+{
+    const std::vector<Position> positions = liquid.position.download();
+    const std::vector<std::uint32_t> ids = liquid.id.download();
+    std::vector<Ahead> own;
+    for (int i = 0; i < liquid.owned(); ++i)
+    {
+        const Place p = placeOf(positions[i]);
+        Stream wide = stream;                   // what has moved back into the opening too
+        wide.from -= stream.length*stream.axis;
+        wide.length *= 2;
+        const Vector3 x(quanta::lengthOf(p.x), quanta::lengthOf(p.y), quanta::lengthOf(p.z));
+        if (wide.contains(p)) own.push_back({dot(x - stream.from, stream.axis), ids[i]});
+    }
+    std::vector<Ahead> all = gatherLists(liquid.parts(), own);
+    std::sort(all.begin(), all.end(), [](const Ahead& a, const Ahead& b) { return std::tie(a.along, a.id) < std::tie(b.along, b.id); });
+    if (int(all.size()) > most) all.resize(most);
+    std::vector<std::uint32_t> gone;
+    for (const Ahead& ahead : all) gone.push_back(ahead.id);
+    if (gone.empty()) return 0;
+    const Buffer<std::uint32_t> lost(gone);
+    Buffer<std::uint8_t> stays(liquid.owned());
+    forEach(liquid.owned(), IsOutside{lost.span(), std::as_const(liquid.id).span(), stays.span()});
+    liquid.resize(liquid.owned());
+    Selection others;
+    Readback count;
+    select(stays, others, liquid.owned(), count);
+    const int remaining = int(*count.wait());
+    if (remaining == liquid.owned()) return int(gone.size());
+    others.indices.resize(remaining);
+    liquid.fields().reorder(others.indices);
+    liquid.resize(remaining);
+    return int(gone.size());
+}
+
+}

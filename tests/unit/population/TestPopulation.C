@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "population/Population.H"
+
+#include "device/Device.H"
+#include "support/LiquidCase.H"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+using namespace shizuku;
+using namespace shizuku::test;
+
+namespace
+{
+
+// Without liquid at first, or with 5 x 5 x 5 particles above the origin; spacings of 1 mm. Nothing moves but streams.
+class Scene : public LiquidCase
+{
+public:
+    explicit Scene(const std::string& sources, const std::string& outlets = "", bool filled = false, const CaseText& text = {}) : LiquidCase(text)
+    {
+        folder.write("constant/outlets", outlets);
+        folder.write("constant/sources", sources);
+        if (filled) place(latticeBlock(5, 5, 5, 1, {-2, -2, 1}));
+        population.emplace(folder.path(), liquid);
+        population->begin(liquid);
+    }
+
+    void step(double deltaT)
+    {
+        const scalar dt = liquid.units().toScaled(deltaT, dimensions::time);
+        population->beginStep(liquid, time, deltaT);
+        population->held().begin(liquid);
+        population->held().end(liquid, dt);
+        changed = population->endStep(liquid, time, time + deltaT, 0).any;
+        time += deltaT;
+    }
+
+    double number(const std::string& source) const { return liquid.numbers().at(Sources::numberOf(source)); }
+    std::set<std::uint32_t> ids() const
+    {
+        const auto all = liquid.id.download();
+        return {all.begin(), all.begin() + liquid.owned()};
+    }
+    double volume() const { return liquid.owned()*liquid.properties().particleVolume(); }
+
+    std::optional<Population> population;
+    double time = 0;
+    bool changed = false;
+};
+
+const std::string tap = "tap { type nozzle; mouth (0 0 0.02); direction (0 0 -1); radius 2.2e-3; flowRate 1e-6; }";
+
+}
+
+// The layers of the stretch at first: four, two supports. Then as many as the flow moves on by spacings: the volume is that of the flow within a layer.
+TEST(Population, ANozzleLetsInWhatItsFlowAsksFor)
+{
+    Scene scene(tap);
+    EXPECT_EQ(scene.liquid.owned(), 0);
+    EXPECT_TRUE(scene.population->mayComeIn());
+    for (int k = 0; k < 200; ++k) scene.step(1e-3);
+    constexpr double layer = 16e-9;             // m3: of 16 columns, as near to the disc's area of 15.2 mm2 as a lattice has
+    constexpr double flow = 200e-9, atFirst = 3*layer;
+    EXPECT_NEAR(scene.volume(), flow + atFirst, layer);
+    EXPECT_EQ(scene.liquid.owned() % 16, 0);
+    EXPECT_EQ(scene.number("tap"), scene.liquid.owned());
+    EXPECT_EQ(scene.ids().size(), std::size_t(scene.liquid.owned()));
+    EXPECT_EQ(*scene.ids().rbegin(), std::uint32_t(scene.liquid.owned() - 1));
+}
+
+// In the stretch layers are a spacing apart, and all particles move along the axis: roundings are of quanta, 2e-6 spacings each, over 50 steps.
+TEST(Population, WhatIsInANozzleIsALatticeThatMovesRigidly)
+{
+    Scene scene("tap { type nozzle; mouth (0 0 0.02); direction (0 0 -1); radius 2.2e-3; velocity 0.1; }");
+    for (int k = 0; k < 50; ++k) scene.step(1e-3);
+    const auto x = scene.liquid.positions();
+    const auto u = scene.liquid.velocity.download();
+    double least = 1;
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+        EXPECT_NEAR(u[i].z*scene.liquid.units().of(dimensions::velocity), -0.1, 1e-7);
+        for (std::size_t j = 0; j < i; ++j)
+        {
+            if (x[i].z > 0.02 && x[j].z > 0.02) least = std::min(least, length(x[i] - x[j]));
+        }
+    }
+    EXPECT_NEAR(least, 1e-3, 1e-6);
+}
+
+TEST(Population, ATableChangesTheFlowAndARingIsHollow)
+{
+    Scene scene("tap { type nozzle; mouth (0 0 0.02); direction (0 0 -1); radius 4e-3; innerRadius 2e-3; velocity { times (0 0.1 0.2); values (0 0.1 0); } }");
+    for (int k = 0; k < 300; ++k) scene.step(1e-3);
+    // A triangle of 0.2 s and 0.1 m/s: 10 mm, ten layers, behind three at first and one in between.
+    const double layers = 14;
+    EXPECT_EQ(std::fmod(scene.liquid.owned(), layers), 0);
+    for (const Vector3& x : scene.liquid.positions()) EXPECT_GE(std::hypot(x.x, x.y), 2e-3 - 1e-8);
+}
+
+// The volume is exact to the particle at all times, both ways.
+TEST(Population, ANeedleFeedsAndDrawsToTheParticle)
+{
+    Scene scene("needle { type needle; mouth (0 0 0); direction (0 0 1); radius 2.2e-3; flowRate { times (0 0.01 0.02 1); values (1e-6 1e-6 -1e-6 -1e-6); } }", "", true);
+    double asked = 0;
+    for (int k = 0; k < 45; ++k)
+    {
+        const double middle = (k + 0.5)*1e-3;
+        asked += 1e-3*(middle < 0.01 ? 1e-6 : middle < 0.02 ? 1e-6 - 2e-4*(middle - 0.01) : -1e-6);
+        scene.step(1e-3);
+        EXPECT_EQ(scene.number("needle"), std::floor(asked/1e-9 + 1e-6)) << "step " << k;
+        EXPECT_EQ(scene.liquid.owned(), 125 + scene.number("needle"));
+    }
+    EXPECT_LT(scene.number("needle"), 0);
+    EXPECT_EQ(scene.ids().size(), std::size_t(scene.liquid.owned()));
+}
+
+// 0.05 m/s over 4 cm2 for 20 ms: 400 mm3, within a drop of 14. No two of the drops overlap.
+TEST(Population, RainIsAsMuchAsItsRate)
+{
+    const std::string shower = "shower { type rain; rate 0.05; corner (0 0 0.1); along (0.02 0 0); across (0 0.02 0); direction (0 0 -1); speed 2; sizes { type oneSize; diameter 3e-3; } seed 7; }";
+    const std::string out = "floor { type plane; point (0 0 0); normal (0 0 -1); }";
+    Scene scene(shower, out), again(shower, out);
+    const Vec3 fall{0, 0, -scalar(2/scene.liquid.units().of(dimensions::velocity))};
+    for (int k = 0; k < 20; ++k)
+    {
+        for (Scene* each : {&scene, &again})
+        {
+            each->step(1e-3);
+            std::vector<Position> x = each->liquid.position.download();
+            for (Position& p : x) p += each->liquid.units().toScaled(1e-3, dimensions::time)*fall;
+            each->liquid.position.upload(x);
+        }
+    }
+    EXPECT_LE(scene.volume(), 400e-9);
+    EXPECT_NEAR(scene.volume(), 400e-9, 14e-9);
+    const auto x = scene.liquid.positions(), y = again.liquid.positions();
+    ASSERT_EQ(x.size(), y.size());
+    for (std::size_t i = 0; i < x.size(); ++i) EXPECT_EQ(x[i], y[i]);
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+        for (std::size_t j = 0; j < i; ++j) EXPECT_GT(length(x[i] - x[j]), 0.99e-3);
+    }
+}
+
+// Outlets take out what sources let in: what is there stays the same, so does the memory, and no number comes twice.
+TEST(Population, FilledAndEnteredLessLeftIsThere)
+{
+    Scene scene(tap, "out { type plane; point (0 0 0.018); normal (0 0 -1); }", true);
+    EXPECT_EQ(scene.liquid.owned(), 125);
+    std::set<std::uint32_t> known = scene.ids();
+    std::size_t memory = 0;
+    for (int k = 0; k < 400; ++k)
+    {
+        const std::set<std::uint32_t> before = scene.ids();
+        scene.step(1e-3);
+        for (const std::uint32_t id : scene.ids())
+        {
+            if (!before.contains(id)) EXPECT_TRUE(known.insert(id).second) << "number " << id << " comes again";
+        }
+        // Particles go on by the nozzle's velocity, which nothing else here does.
+        std::vector<Position> x = scene.liquid.position.download();
+        const auto u = scene.liquid.velocity.download();
+        const auto at = scene.liquid.positions();
+        for (std::size_t i = 0; i < at.size(); ++i)
+        {
+            if (at[i].z < 0.02) x[i] += scene.liquid.units().toScaled(1e-3, dimensions::time)*u[i];
+        }
+        scene.liquid.position.upload(x);
+        if (k == 200) memory = deviceCounters().bytes;
+    }
+    EXPECT_EQ(deviceCounters().bytes, memory);
+    const auto& numbers = scene.liquid.numbers();
+    EXPECT_EQ(numbers.at(Population::filledNumber), 125);
+    EXPECT_GT(numbers.at(Outlets::numberOf("out")), 200);
+    EXPECT_EQ(numbers.at(Population::filledNumber) + scene.number("tap") - numbers.at(Outlets::numberOf("out")), scene.liquid.owned());
+    EXPECT_TRUE(holds(scene.population->report(numbers, 1e-9, scene.liquid.owned()), {"entered: tap", "balance: 125 filled + ", "taken out: out"}));
+}
+
+// Room grows by a quarter: of 10,000 particles that come in layers of 16, in fewer than 40 steps (1.25^40 = 7,500).
+TEST(Population, MemoryGrowsGeometrically)
+{
+    Scene scene("tap { type nozzle; mouth (0 0 0.02); direction (0 0 -1); radius 2.2e-3; velocity 1; }");
+    int growths = 0, room = 0;
+    for (int k = 0; k < 650; ++k)
+    {
+        scene.step(1e-3);
+        growths += scene.liquid.fields().room() != room;
+        room = scene.liquid.fields().room();
+        EXPECT_GE(room, scene.liquid.owned());
+    }
+    EXPECT_GT(scene.liquid.owned(), 10000);
+    EXPECT_LT(growths, 40);
+}
+
+TEST(Population, NoneCostsNothing)
+{
+    Scene scene("", "", true);
+    const long launches = deviceCounters().launches;
+    scene.step(1e-3);
+    EXPECT_FALSE(scene.changed);
+    EXPECT_EQ(deviceCounters().launches, launches);
+    EXPECT_FALSE(scene.population->mayComeIn());
+    EXPECT_EQ(scene.population->report(scene.liquid.numbers(), 1, 125), "");
+}
+
+TEST(Population, RefusesWhatItDoesNotKnow)
+{
+    const auto message = [](const std::string& sources, const std::string& outlets = "") { return messageOf([&] { Scene scene(sources, outlets); }); };
+    const std::string opening = "mouth (0 0 0.02); direction (0 0 -1); radius 2e-3; ";
+    EXPECT_TRUE(holds(message("a { type hose; }"), {"source", "'hose'", "nozzle", "needle", "rain", "constant/sources", "line 1"}));
+    EXPECT_TRUE(holds(message("a { type nozzle; " + opening + "}"), {"neither flowRate nor velocity"}));
+    EXPECT_TRUE(holds(message("a { type nozzle; " + opening + "velocity 1; flowRate 1; }"), {"both flowRate and velocity"}));
+    EXPECT_TRUE(holds(message("a { type nozzle; " + opening + "velocity -1; }"), {"velocity", "-1", "at least 0"}));
+    EXPECT_TRUE(holds(message("a { type nozzle; " + opening + "velocity { times (0 2 1); values (0 1 1); } }"), {"not sorted", "1 s follows 2 s"}));
+    EXPECT_TRUE(holds(message("a { type nozzle; " + opening + "velocity { times (0 2); values (0 1 1); } }"), {"2 times and 3 values"}));
+    EXPECT_TRUE(holds(message("a { type nozzle; mouth (0 0 0); direction (0 0 0); radius 1; velocity 1; }"), {"direction"}));
+    EXPECT_TRUE(holds(message("a { type nozzle; mouth (0 0 0); direction (0 0 1); radius 2e-4; velocity 1; }"), {"narrow", "a larger radius"}));
+    EXPECT_TRUE(holds(message("a { type nozzle; " + opening + "innerRadius 3e-3; velocity 1; }"), {"innerRadius"}));
+    EXPECT_TRUE(holds(message("a { type nozzle; " + opening + "velocity 1; speed 2; }"), {"'speed'"}));
+    const std::string area = "corner (0 0 0.1); along (0.01 0 0); direction (0 0 -1); sizes { type oneSize; diameter 3e-3; } ";
+    EXPECT_TRUE(holds(message("a { type rain; rate -1; across (0 0.01 0); " + area + "}"), {"rate", "at least 0"}));
+    EXPECT_TRUE(holds(message("a { type rain; rate 1; across (0.02 0 0); " + area + "}"), {"area", "one direction"}));
+    EXPECT_TRUE(holds(message("a { type rain; rate 1; corner (0 0 0.1); along (1 0 0); across (0 1 0); direction (0 0 -1); sizes { type oneSize; diameter 1e-3; } }"), {"smallest drop"}));
+    EXPECT_TRUE(holds(message("a { type rain; rate 1; across (0 0.01 0); " + area + "}", "sky { type outside; min (-1 -1 -1); max (1 1 0.05); }"), {"'a'", "outlet 'sky'"}));
+}
+
+TEST(Population, RefusesSourcesInWallsAndStepsThatAreTooLong)
+{
+    CaseText text;
+    text.walls = floorPlane;
+    Scene inside("a { type nozzle; mouth (0 0 1e-3); direction (0 0 1); radius 2e-3; velocity 1; }", "", false, text);
+    Liquid empty(inside.liquid.properties(), Dictionary());
+    EXPECT_TRUE(holds(messageOf([&] { inside.population->refuseInWalls(inside.walls, empty); }), {"'a'", "inside of the solid 'floor'"}));
+    Scene above("a { type needle; mouth (0 0 0); direction (0 0 1); radius 2e-3; flowRate 1e-6; }", "", false, text);
+    EXPECT_NO_THROW(above.population->refuseInWalls(above.walls, empty));
+    EXPECT_TRUE(holds(messageOf([&] { above.step(1); }), {"'a'", "deltaT of at most"}));
+}
