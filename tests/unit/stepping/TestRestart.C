@@ -215,7 +215,7 @@ TEST(Restart, HasTheSameBitsWhereLiquidComesIn)
             .set = set, .outlets = "out { type plane; point (3e-3 0 4.4e-3); normal (1 0.31 0.17); }", .speed = 0.5f, .sources =
             "tap { type nozzle; mouth (-12e-3 0 12e-3); direction (0.2 0 -1); radius 1.6e-3; velocity { times (0 1e-3 1); values (0.2 0.8 0.8); } }\n"
             "needle { type needle; mouth (0 0 0); direction (0 0 1); radius 1.5e-3; flowRate 2e-6; }\n"
-            "shower { type rain; rate 3; corner (-20e-3 -20e-3 20e-3); along (12e-3 0 0); across (0 12e-3 0); direction (0 0 -1); speed 0.5;\n"
+            "shower { type rain; rate 0.02; corner (-70e-3 -70e-3 20e-3); along (60e-3 0 0); across (0 60e-3 0); direction (0 0 -1); speed 0.5;\n"
             "    sizes { type table; diameters (2.6e-3 3.4e-3); shares (2 1); } seed 4; }\n"
         };
         Drop first(chosen), whole(chosen);
