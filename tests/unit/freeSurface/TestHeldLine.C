@@ -88,7 +88,7 @@ TEST(HeldLine, WhatIsHeldComesBackToItsPlace)
     block.move(0.05f);
     EXPECT_GT(block.angle(true), before + 2);
     block.move(-0.05f);
-    EXPECT_NEAR(block.angle(true), before, 0.03);       // there and back by other sines
+    EXPECT_NEAR(block.angle(true), before, 0.05);       // the step back is by the sine at its own start, 1.4 % off 3 degrees
 }
 
 // Far beyond both limits; then the way back begins at the limit.
