@@ -19,7 +19,7 @@ namespace shizuku
 namespace
 {
 
-constexpr Dimensions cohesionDimensions{{0, 3, -2, 0, 0, 0, 0}};
+constexpr Dimensions perKernelDimensions{{0, 3, -2, 0, 0, 0, 0}};
 
 struct KernelForce
 {
@@ -38,9 +38,9 @@ KernelForce readKernelForce(const Dictionary& coeffs, const Liquid& liquid)
     (
         p.surfaceTension, 1 / p.particleVolume(), h, separationIntegral(KernelForce{CubicSpline(1), 1, 1})
     );
-    const double kappa = coeffs.lookupDimensionedOr("kappa", cohesionDimensions, F0 * h * h / p.particleMass());
+    const double kappa = coeffs.lookupDimensionedOr("kappa", perKernelDimensions, F0 * h * h / p.particleMass());
     if (!(kappa >= 0)) throw FatalInputError(coeffs.where("kappa"), "A negative coefficient kappa", "0 or more");
-    return {CubicSpline(liquid.support()), liquid.support(), liquid.units().toScaled(kappa, cohesionDimensions)};
+    return {CubicSpline(liquid.support()), liquid.support(), liquid.units().toScaled(kappa, perKernelDimensions)};
 }
 
 class Becker2007 : public PairForce<KernelForce>
