@@ -123,6 +123,7 @@ ViewSession::ViewSession(beast::tcp_stream stream, ViewServer::Loop& loop) : soc
     beast::get_lowest_layer(socket_).expires_never();
     socket_.set_option(websocket::stream_base::timeout{patience, std::chrono::seconds(30), true});
     socket_.read_message_max(ViewCommand::longest);
+    socket_.auto_fragment(false);               // a frame of the liquid is one of the protocol
 }
 
 ViewSession::~ViewSession()
