@@ -43,7 +43,9 @@ install(DIRECTORY tutorials DESTINATION . COMPONENT shizuku USE_SOURCE_PERMISSIO
     REGEX "/tutorials/[^/]*/(log\\..*|[0-9][^/]*|postProcessing|VTK|sweep|theta[^/]*|present|previous|striped|painted|drops[0-9][^/]*|[^/]*\\.(png|csv))$" EXCLUDE
     REGEX "/constant/solid$" EXCLUDE
     REGEX "/(stlSurface|rainOnStreet)/constant/triSurface$" EXCLUDE)
+install(DIRECTORY python DESTINATION . COMPONENT shizuku PATTERN tests EXCLUDE PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE PATTERN *.egg-info EXCLUDE)
 install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION share/doc/shizuku COMPONENT shizuku)
+install(FILES doc/glossary.md DESTINATION share/doc/shizuku COMPONENT shizuku)
 install(DIRECTORY doc/guide doc/theory-guide doc/pictures DESTINATION share/doc/shizuku COMPONENT shizuku)
 
 # A man page a program, out of its -help.

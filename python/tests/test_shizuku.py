@@ -160,5 +160,20 @@ class Cases(InFolder):
             self.case.field("liquid/U")
 
 
+class Wheel(InFolder):
+    def test_a_wheel_is_made_without_other_packages(self):
+        import zipfile
+        command = [sys.executable, "-I", "-S", "-c",
+                   f"import sys; sys.path.insert(0, {str(ROOT / 'python')!r}); import wheel_backend; print(wheel_backend.build_wheel({str(self.folder)!r}))"]
+        wheel = subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
+        with zipfile.ZipFile(self.folder / wheel) as archive:
+            names = archive.namelist()
+            modules = sorted(f"shizuku/{path.name}" for path in (ROOT / "python/shizuku").glob("*.py"))
+            self.assertEqual(sorted(name for name in names if name.startswith("shizuku/")), modules)
+            info = wheel.split("-py3")[0] + ".dist-info"
+            self.assertEqual(archive.read(f"{info}/RECORD").decode().count("sha256="), len(names) - 1)
+            self.assertIn("Requires-Dist: numpy", archive.read(f"{info}/METADATA").decode())
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -112,6 +112,16 @@ TEST_P(Steps, MaxSubStepsStopsTheRun)
     expectRefusal({"3 sub-steps", "capillary", "maxSubSteps 2", "a deltaT of ", "system/controlDict at line "});
 }
 
+// A run that is started again at its end computes nothing, and tells what to change.
+TEST_P(Steps, ARunAtItsEndSaysSo)
+{
+    EXPECT_TRUE(holds(solve().text, {"Ready for the first step"}));
+    const Outcome again = solve();
+    EXPECT_EQ(again.status, 0);
+    EXPECT_TRUE(holds(again.text, {"Nothing is left to do", "reached its endTime", "set a later endTime", "Allclean"}));
+    EXPECT_FALSE(holds(again.text, {"Ready for the first step"}));
+}
+
 TEST_P(Steps, EndTimeAndMaxCoMayChangeWhileItRuns)
 {
     control("endTime 60; writeInterval 1000000; runTimeModifiable yes; maxCapillaryCo 0.3;");
