@@ -55,5 +55,8 @@ set(SHIZUKU_CORE_SOURCES
     core/time/TimeState.C
     core/time/WatchedFile.C
     parallel/AllParts.C
+    parallel/CallPlace.C
+    parallel/CheckedParts.C
     parallel/ParallelRun.C
+    parallel/Watchdog.C
 )

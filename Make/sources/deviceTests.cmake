@@ -60,6 +60,7 @@ set(SHIZUKU_DEVICE_TESTS
     neighbours/TestNeighbourList.C
     neighbours/TestNeighbourhood.C
     outlets/TestOutlets.C
+    parallel/TestCheckedParts.C
     particles/TestFieldRegistry.C
     particles/TestParticleFiles.C
     particles/TestUnits.C

@@ -2,6 +2,7 @@
 #include "parallel/ParallelRun.H"
 
 #include "core/messages/Error.H"
+#include "parallel/CheckedParts.H"
 
 #include <dlfcn.h>
 
@@ -9,6 +10,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <streambuf>
 #include <string>
@@ -45,6 +47,30 @@ std::unique_ptr<ParallelRun> open(int argc, char** argv)
     const auto make = reinterpret_cast<OpenParallelRun>(dlsym(module, "openMpi"));
     if (!make) throw FatalError("The module libshizukuMpi.so has no entry point");
     return std::unique_ptr<ParallelRun>(make(&argc, &argv));
+}
+
+bool areChecked()
+{
+    const char* const word = std::getenv("SHIZUKU_CHECK_PARTS");
+    return word && *word && std::string(word) != "0";
+}
+
+int runChecked(const Communicator& parts, const std::function<int(const Communicator&)>& run)
+{
+    static std::optional<CheckedParts> checked;         // -help and the like end the program from within
+    checked.emplace(parts);
+    const int status = run(*checked);
+    if (status != EXIT_SUCCESS) return status;
+    try
+    {
+        checked->finish();
+    }
+    catch (const FatalError& error)
+    {
+        std::cerr << "\n--> FATAL ERROR:\n" << error.what() << std::endl;
+        return EXIT_FAILURE;
+    }
+    return status;
 }
 
 // A stream that takes everything and keeps nothing.
@@ -109,7 +135,7 @@ int runInParts(int argc, char** argv, const std::function<int(const Communicator
     std::string errors;
     {
         const Muted muted(parts.part() > 0);
-        status = run(parts);
+        status = areChecked() ? runChecked(parts, run) : run(parts);
         errors = muted.errors();
     }
     if (status == EXIT_SUCCESS || all->allCome(soon))

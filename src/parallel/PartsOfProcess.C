@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parallel/PartsOfProcess.H"
 
+#include "parallel/CheckedParts.H"
+
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -91,7 +93,10 @@ void runParts(int parts, const std::function<void(const Communicator&)>& run)
         try
         {
             table.waitForTurn(part);
-            run(PartOfProcess(table, part));
+            const PartOfProcess own(table, part);
+            const CheckedParts checked(own);
+            run(checked);
+            checked.finish();
             table.endTurn(part);
         }
         catch (...)

@@ -44,6 +44,12 @@ protected:
         return "mpirun --oversubscribe --allow-run-as-root -np " + std::to_string(ranks) + " " + command("pbfDroplet", "-parallel " + arguments);
     }
 
+    // Two ranks of a small program that differ (partsThatDiffer.C); before: settings of the environment.
+    static Outcome differing(const std::string& how, const std::string& before)
+    {
+        return run(before + " mpirun --oversubscribe --allow-run-as-root -np 2 '" + std::string(std::getenv("SHIZUKU_BUILD")) + "/tests/partsThatDiffer' -parallel " + how);
+    }
+
     // All that a run leaves: times and tables.
     Contents results() const
     {
@@ -385,4 +391,35 @@ TEST_P(Parallel, AKilledRankEndsAllAndTheRunGoesOnFromTheLastTime)
     EXPECT_TRUE(same(gone, contents("0.05")));
 }
 
+}
+
+TEST_P(Parallel, ChecksThatAllRanksMakeTheSameCalls)
+{
+    const Outcome branches = differing("branches", "SHIZUKU_CHECK_PARTS=1");
+    EXPECT_EQ(branches.status, 1);
+    EXPECT_TRUE(holds(branches.text, {"made different calls, call 2 of each", "part 0: exchange()", "gatherTexts(", "part 1: gather() of 1 bytes", "inAllParts("}));
+    const Outcome ends = differing("ends", "SHIZUKU_CHECK_PARTS=1");
+    EXPECT_EQ(ends.status, 1);
+    EXPECT_TRUE(holds(ends.text, {"part 0: exchange()", "gatherTexts(", "part 1: has come to its end"}));
+}
+
+TEST_P(Parallel, RanksThatWaitForEachOtherSayWhereAndEnd)
+{
+    const std::string limit = "SHIZUKU_CHECK_PARTS=0 SHIZUKU_WAIT_LIMIT=1";
+    const Outcome branches = differing("branches", limit);
+    EXPECT_EQ(branches.status, 1);
+    EXPECT_TRUE(holds(branches.text, {"Part 0 of 2 has waited", "gatherTexts(", "Part 1 of 2 has waited", "inAllParts("}));
+    const Outcome ends = differing("ends", limit);
+    EXPECT_EQ(ends.status, 1);
+    EXPECT_TRUE(holds(ends.text, {"Part 0 of 2 has waited", "gatherTexts(", "Process 1 of this host has come to its end"}));
+    const Outcome works = differing("works", limit);            // one of them, for four times the limit
+    EXPECT_EQ(works.status, 0) << works.text;
+}
+
+// Faster than a part is wide, so that parts lose all their particles.
+TEST_P(Parallel, ADropThatLeavesItsPartsMovesAsOnOneProcess)
+{
+    fill({0.1, 2, -0.1});
+    control("");
+    expectTheSameOf({2, 3, 5});
 }
