@@ -65,9 +65,10 @@ std::uint64_t CallPlace::hash() const
     for (int k = 0; k < size_; ++k)
     {
         Dl_info info{};
-        const auto address = reinterpret_cast<std::uintptr_t>(frames_[k]);
-        const std::uintptr_t base = dladdr(frames_[k], &info) ? reinterpret_cast<std::uintptr_t>(info.dli_fbase) : 0;
-        all = all * 0x9e3779b97f4a7c15u + (address - base);
+        if (!dladdr(frames_[k], &info) || !info.dli_fbase) continue;
+        // Of a call in a function compilers make several, by what they know in each: the function counts.
+        const std::uintptr_t function = info.dli_saddr ? reinterpret_cast<std::uintptr_t>(info.dli_saddr) - reinterpret_cast<std::uintptr_t>(info.dli_fbase) : 0;
+        all = all * 0x9e3779b97f4a7c15u + function;
     }
     return all;
 }

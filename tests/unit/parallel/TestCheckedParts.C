@@ -62,15 +62,18 @@ TEST(TestCheckedParts, NameTheBranchOfEach)
     EXPECT_TRUE(names(text, "part 2: gather()")) << text;
 }
 
-// The same kind of call, of the same size, from two places.
-TEST(TestCheckedParts, TellTwoPlacesOfOneKindOfCall)
+// The same kind of call, by way of other functions.
+TEST(TestCheckedParts, TellTwoWaysToOneKindOfCall)
 {
     const std::string text = complaintOf(2, [](const Communicator& parts)
     {
-        const std::function<void()> one = [&] { parts.count(1); }, other = [&] { parts.count(2); };
-        (parts.part() == 0 ? one : other)();
+        const auto texts = [&] { gatherTexts(parts, "text"); };
+        if (parts.part() == 0) texts();
+        else inAllParts(parts, texts);
     });
-    EXPECT_TRUE(names(text, "part 1: gather() of 4 bytes")) << text;
+    EXPECT_TRUE(names(text, "part 0: exchange() of messages")) << text;
+    EXPECT_TRUE(names(text, "part 1: exchange() of messages")) << text;
+    EXPECT_TRUE(names(text, "shizuku::inAllParts(")) << text;
 }
 
 TEST(TestCheckedParts, NameAPartThatCallsWhenOthersHaveEnded)
