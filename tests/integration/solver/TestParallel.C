@@ -391,8 +391,6 @@ TEST_P(Parallel, AKilledRankEndsAllAndTheRunGoesOnFromTheLastTime)
     EXPECT_TRUE(same(gone, contents("0.05")));
 }
 
-}
-
 TEST_P(Parallel, ChecksThatAllRanksMakeTheSameCalls)
 {
     const Outcome branches = differing("branches", "SHIZUKU_CHECK_PARTS=1");
@@ -422,4 +420,6 @@ TEST_P(Parallel, ADropThatLeavesItsPartsMovesAsOnOneProcess)
     fill({0.1, 2, -0.1});
     control("");
     expectTheSameOf({2, 3, 5});
+}
+
 }
