@@ -49,7 +49,7 @@ struct Normal
     }
 };
 
-struct PairForce
+struct AddPairTension
 {
     CohesionSpline C;
     scalar cohesion, area;              // gamma m, gamma rho_A
@@ -124,7 +124,7 @@ void PairTension::apply(Liquid& liquid, const Neighbourhood& near, const Walls& 
         liquid.kernel()
     );
     liquid.ghosts().copy({valuesOf(normal_)}, GhostsOf::lists);
-    forEach(liquid.owned(), PairForce
+    forEach(liquid.owned(), AddPairTension
     {
         {liquid.support()}, coefficients_.cohesion * liquid.particleMass(), coefficients_.area,
         liquid.predicted.span(), normal_.span(), density_.span(), near.view(), acceleration.span()
