@@ -13,13 +13,12 @@ namespace shizuku
 namespace
 {
 
-template<class Table>
-std::string paragraph(const std::string& heading)
+std::string paragraph(const std::string& heading, const std::map<std::string, std::string>& models)
 {
     constexpr int column = 24;              // where what it is begins
     std::ostringstream text;
     text << heading << "\n";
-    for (const auto& [word, summary] : Table::summaries()) text << "    " << std::left << std::setw(column) << word << summary << "\n";
+    for (const auto& [word, summary] : models) text << "    " << std::left << std::setw(column) << word << summary << "\n";
     return text.str();
 }
 
@@ -27,10 +26,9 @@ std::string paragraph(const std::string& heading)
 
 std::string modelList()
 {
-    return paragraph<PressureTable>("pressure") + paragraph<SurfaceTensionTable>("surfaceTension") + paragraph<WettingTable>("wetting") +
-        paragraph<ViscosityTable>("viscosity") + paragraph<VelocityCorrectionTable>("velocityCorrection") +
-        paragraph<ParticleShiftingTable>("particleShifting") + paragraph<BodyForceTable>("bodyForce") +
-        paragraph<FunctionObjectTable>("functions (system/controlDict)");
+    std::string text;
+    for (const ModelKind& kind : modelKinds()) text += paragraph(kind.keyword, kind.models);
+    return text + paragraph("functions (system/controlDict)", FunctionObjectTable::summaries());
 }
 
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/Models.H"
 
-#include <algorithm>
+#include <set>
 
 namespace shizuku
 {
@@ -9,31 +9,38 @@ namespace shizuku
 namespace
 {
 
-// A case may keep the coefficients of models that it does not use at present.
-void toleratePassiveCoefficients(const Dictionary& models)
+template<class Table>
+ModelKind kindOf(const std::string& keyword, const std::string& usual, bool hasCoeffs)
 {
-    std::vector<std::string> known;
-    for (const auto& words : {SurfaceTensionTable::words(), WettingTable::words(), VelocityCorrectionTable::words(), ViscosityTable::words(),
-                              ParticleShiftingTable::words()})
+    return {keyword, usual, hasCoeffs, Table::summaries()};
+}
+
+// A case may keep the coefficients of models that it does not use at present.
+void toleratePassiveCoefficients(const Dictionary& dict)
+{
+    std::set<std::string> chosen, known;
+    for (const ModelKind& kind : modelKinds())
     {
-        for (const std::string& word : words) known.push_back(word + "Coeffs");
+        if (!kind.hasCoeffs) continue;
+        chosen.insert(kind.chosen(dict) + "Coeffs");
+        for (const auto& [word, summary] : kind.models) known.insert(word + "Coeffs");
     }
-    const std::vector<std::string> chosen
+    for (const std::string& key : dict.keys())
     {
-        models.lookup<std::string>("surfaceTension") + "Coeffs", models.lookup<std::string>("wetting") + "Coeffs",
-        models.lookup<std::string>("viscosity") + "Coeffs", models.lookupOr<std::string>("velocityCorrection", "none") + "Coeffs",
-        models.lookupOr<std::string>("particleShifting", "none") + "Coeffs"
-    };
-    const auto contains = [](const auto& list, const std::string& key)
-    {
-        return std::find(list.begin(), list.end(), key) != list.end();
-    };
-    for (const std::string& key : models.keys())
-    {
-        if (contains(known, key) && !contains(chosen, key)) models.subDict(key).markUsed();
+        if (known.contains(key) && !chosen.contains(key)) dict.subDict(key).markUsed();
     }
 }
 
+}
+
+std::vector<ModelKind> modelKinds()
+{
+    return
+    {
+        kindOf<PressureTable>("pressure", "", false), kindOf<SurfaceTensionTable>("surfaceTension", "", true), kindOf<WettingTable>("wetting", "", true),
+        kindOf<ViscosityTable>("viscosity", "", true), kindOf<VelocityCorrectionTable>("velocityCorrection", "none", true),
+        kindOf<ParticleShiftingTable>("particleShifting", "none", true), kindOf<BodyForceTable>("bodyForce", "", false)
+    };
 }
 
 Models::Models(const std::filesystem::path& casePath, const Dictionary& solution, Liquid& liquid, const Walls& walls)
@@ -70,22 +77,27 @@ void Models::holdLines(const std::filesystem::path& casePath, Liquid& liquid)
 
 void Models::refuseParts() const
 {
-    const auto refuse = [&](const std::string& kind, const auto& model)
+    const std::map<std::string, const Model*> models = byKeyword();
+    for (const ModelKind& kind : modelKinds())
     {
-        const std::string word = dict.lookupOr<std::string>(kind, "none");
-        if (word == "none" || model.seesGhosts()) return;
+        const std::string word = kind.chosen(dict);
+        if (word == "none" || models.at(kind.keyword)->seesGhosts()) continue;
         throw FatalInputError
         (
-            dict.where(kind), "The liquid cannot be cut into parts with " + kind + " " + word + ": the model does not say that it sees the particles of other parts",
+            dict.where(kind.keyword),
+            "The liquid cannot be cut into parts with " + kind.keyword + " " + word + ": the model does not say that it sees the particles of other parts",
             "a model whose seesGhosts() is true, as those of this program are; or one process"
         );
+    }
+}
+
+std::map<std::string, const Model*> Models::byKeyword() const
+{
+    return
+    {
+        {"pressure", pressure.get()}, {"surfaceTension", &forces.tension()}, {"wetting", &forces.wetting()}, {"viscosity", viscosity.get()},
+        {"velocityCorrection", velocityCorrection.get()}, {"particleShifting", particleShifting.get()}, {"bodyForce", bodyForce.get()}
     };
-    refuse("pressure", *pressure);
-    refuse("surfaceTension", forces.tension());
-    refuse("wetting", forces.wetting());
-    refuse("velocityCorrection", *velocityCorrection);
-    refuse("viscosity", *viscosity);
-    refuse("particleShifting", *particleShifting);
 }
 
 void Models::takeEffect(const Liquid& liquid, Walls& walls) const

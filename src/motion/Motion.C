@@ -73,7 +73,7 @@ void displace(Liquid& liquid, const Buffer<Vec3>& acceleration, scalar dt)
     forEach(liquid.owned(), Displace{dt * dt, acceleration.span(), liquid.predicted.span()});
 }
 
-void lendVelocities(Liquid& liquid) { liquid.velocity = {}; }
+void dropVelocities(Liquid& liquid) { liquid.velocity = {}; }
 
 void updateVelocities(Liquid& liquid, scalar dt)
 {

@@ -35,7 +35,7 @@ std::vector<StepLimit> StepControl::limits
     }
     const double viscous = models.viscosity->stepLimit(p);
     if (std::isfinite(viscous)) limits.push_back({"viscous", viscous});
-    const double acoustic = models.pressure->stepLimit();
+    const double acoustic = models.pressure->stepLimit(p);
     if (std::isfinite(acoustic)) limits.push_back({"acoustic", acoustic});
     return limits;
 }

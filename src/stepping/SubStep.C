@@ -13,10 +13,10 @@ namespace shizuku
 namespace
 {
 
-// Lists what lies around the predicted positions. Lists that find no room are cut off, which is asked for later.
-void search(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& models)
+// Neighbours and walls around the predicted positions. Lists that find no room are cut off, which is asked for later.
+void listNeighbours(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& models)
 {
-    models.freeSurface->forget();
+    models.freeSurface->dropParticles();
     near.search(liquid, models.freeSurface->support(), models.forces.reach());
     walls.search(liquid);
 }
@@ -24,7 +24,7 @@ void search(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& mod
 // Where something was cut off, longer lists, and once more what needs them: `predict` the positions and `move` them. Called late: the
 // device shall have enough to do until the host has looked.
 template<class Predict, class Move>
-void lengthen(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& models, const Predict& predict, const Move& move)
+void lengthenLists(Liquid& liquid, Neighbourhood& near, Walls& walls, const Models& models, const Predict& predict, const Move& move)
 {
     const bool listsCutOff = near.cutOff(), wallsCutOff = walls.cutOff(), surfaceCutOff = models.freeSurface->cutOff();
     if (!liquid.parts().any(listsCutOff || wallsCutOff || surfaceCutOff)) return;
@@ -49,47 +49,66 @@ int settlingRounds(const Liquid& liquid, scalar dt)
 
 }
 
-void SubStep::begin(scalar dt)
+void SubStep::operator()(scalar dt)
 {
-    models_.bodyForce->predict(liquid_, dt);
-    search(liquid_, near_, walls_, models_);
-    models_.velocityCorrection->begin(liquid_);
-    applyForces(dt);
-    begun_ = dt;
+    if (prepared_ != dt) prepare(dt);
+    prepared_.reset();
+    if (held_) held_->begin(liquid_);
+    lengthenLists(liquid_, near_, walls_, models_, [&] { predict(dt); }, [&] { force(dt); });
+    constrain(dt);
+    update(dt);
 }
 
-void SubStep::applyForces(scalar dt)
+void SubStep::prepare(scalar dt)
+{
+    predict(dt);
+    search();
+    force(dt);
+    prepared_ = dt;
+}
+
+void SubStep::predict(scalar dt)
+{
+    models_.bodyForce->predict(liquid_, dt);
+}
+
+void SubStep::search()
+{
+    listNeighbours(liquid_, near_, walls_, models_);
+    models_.velocityCorrection->notePrediction(liquid_);
+}
+
+void SubStep::force(scalar dt)
 {
     models_.freeSurface->search(liquid_, near_, walls_);
     models_.forces.applyBeforeIterations(liquid_, near_, walls_, dt);
 }
 
-void SubStep::operator()(scalar dt)
+void SubStep::constrain(scalar dt)
 {
-    if (begun_ != dt) begin(dt);
-    begun_.reset();
-    if (held_) held_->begin(liquid_);
-    lengthen
-    (
-        liquid_, near_, walls_, models_, [&] { models_.bodyForce->predict(liquid_, dt); }, [&] { applyForces(dt); }
-    );
     models_.rigidMotion.begin(liquid_, walls_, dt);
-    lendVelocities(liquid_);
-    models_.freeSurface->lendPositions();
+    dropVelocities(liquid_);
+    models_.freeSurface->dropPositions();
     walls_.project(liquid_);
     iterate(liquid_, near_, walls_, *models_.pressure, dt, [&] { return models_.forces.applyInIteration(liquid_, near_, walls_, dt); });
+}
 
+void SubStep::update(scalar dt)
+{
     updateVelocities(liquid_, dt);
     models_.pressure->correctVelocities(liquid_, near_, walls_);
     models_.rigidMotion.remove
     (
-        liquid_, models_.pressure->takeDisplacement(), models_.forces.takeDisplacement(dt), walls_,
-        models_.freeSurface->support(), dt
+        liquid_, models_.pressure->displacement(), models_.forces.displacement(dt), walls_, models_.freeSurface->support(), dt
     );
-    models_.forces.endStep();
+    models_.pressure->commit();
+    models_.forces.commit();
     models_.velocityCorrection->apply(liquid_, near_, walls_, dt);
+    models_.velocityCorrection->commit();
     models_.viscosity->apply(liquid_, near_, walls_, dt);
+    models_.viscosity->commit();
     models_.particleShifting->apply(liquid_, near_, walls_);
+    models_.particleShifting->commit();
     if (models_.heldLine) models_.heldLine->advance(liquid_, near_, walls_, *models_.freeSurface, dt);
     if (held_) held_->end(liquid_, dt);
 }
@@ -102,12 +121,12 @@ void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, s
         const auto predict = [&] { predictPositions(liquid, 0); };
         const auto findSurface = [&] { models.freeSurface->search(liquid, near, walls); };
         predict();
-        search(liquid, near, walls, models);
+        listNeighbours(liquid, near, walls, models);
         findSurface();
-        lengthen(liquid, near, walls, models, predict, findSurface);
-        models.freeSurface->lendPositions();
+        lengthenLists(liquid, near, walls, models, predict, findSurface);
+        models.freeSurface->dropPositions();
         const std::vector<Vec3> velocities = liquid.velocity.download();        // their memory is the pressure's, as in a step
-        lendVelocities(liquid);
+        dropVelocities(liquid);
         walls.project(liquid);
         iterate(liquid, near, walls, *models.pressure, dt, [] { return false; });
         takePredicted(liquid);

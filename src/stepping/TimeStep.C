@@ -51,10 +51,10 @@ void TimeStep::make(const SubSteps& steps)
     }
 }
 
-void TimeStep::beginNext(const SubSteps& steps)
+void TimeStep::prepareNext(const SubSteps& steps)
 {
     meter_.ask(*setup_.liquid);
-    subStep_.begin(scaled(steps));
+    subStep_.prepare(scaled(steps));
     speeds_ = meter_.take(*setup_.liquid);
 }
 

@@ -11,22 +11,19 @@
 #include "LiveView.H"
 #include "ProfileReport.H"
 #include "SameFiles.H"
+#include "SharedRun.H"
 #include "StepReport.H"
 #include "core/arguments/StopSignals.H"
 #include "core/arguments/runApplication.H"
-#include "core/time/CaseLock.H"
 #include "device/DeviceApplication.H"
 #include "device/Processors.H"
-#include "device/Sharing.H"
 #include "functionObjects/FunctionObjects.H"
 #include "functionObjects/ModelList.H"
 #include "parallel/ParallelRun.H"
-#include "stepping/Balance.H"
 #include "stepping/DryRun.H"
 #include "stepping/TimeStep.H"
 
 #include <iostream>
-#include <optional>
 
 namespace shizuku
 {
@@ -34,32 +31,31 @@ namespace shizuku
 namespace
 {
 
-// Part 0 prints, and has the function objects: what these look at is gathered there. Each part writes its share of a time.
+// What the models were asked for before they changed does not hold.
+void takeNewModels(TimeStep& step, FunctionObjects& functions, FlowView& flow)
+{
+    step.dropPrepared();
+    functions.modelsMade(flow);
+}
+
 void pbfDroplet(const Arguments& args, const Communicator& parts)
 {
-    const bool isCut = parts.parts() > 1, isFirst = parts.part() == 0;
     shareProcessors(parts.partsOfHost());
     const DeviceInfo device = openNamedDevice(parts.partOfHost());
     warnOfSharedDevices(device, parts);
 
-    Time time(args.casePath(), isFirst);
+    Time time(args.casePath(), parts.part() == 0);
     CaseChanges changes(time);
     CaseSetup setup(args.casePath());
     setup.make(time.value());
-    if (isCut) setup.models->refuseParts();
-    const BalanceControls cutting = BalanceControls::read(args.casePath());
+    SharedRun run(parts, setup);
     FunctionObjects functions(time, setup.liquid->properties().spacing, !args.found("noFunctionObjects"));
     Liquid& liquid = *setup.liquid;
     Neighbourhood near(liquid);
-    Balance balance(cutting);
-    if (isCut) liquid.ghosts().join(parts);
     setup.readParticles(time);
-    if (isCut) balance.begin(liquid, near);
-    const auto cutWalls = [&] { if (isCut && !cutting.sameBits) setup.walls->cut(balance.cut().rowsOf(parts.part()), near.grid().view()); };
-    cutWalls();
+    run.cut(near);
     FlowView flow(time, liquid, near, *setup.walls, *setup.models);
-    if (isCut) flow.cut(isFirst ? setup.emptyLiquid() : nullptr, cutting.sameBits);
-    if (cutting.sameBits) shareAsOf(flow.particles());
+    run.showWhole(flow);
     setup.refuseBadStart(time);
     reportRelaxation(setup.relaxOverlap(time, near));
     functions.modelsMade(flow);
@@ -69,8 +65,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     FallenLiquid fallen(setup);
     if (args.found("dry-run")) return reportDryRun(time, step.control(), liquid, near, *setup.walls, *setup.models, device, step.speeds().now);
 
-    std::optional<CaseLock> alone;
-    if (isFirst) alone.emplace(args.casePath());
+    run.lockCase();
     if (time.index() == 0) step.settle();
     CaseWriter writer(parts);
     ProfileReport profile(args.found("profile"));
@@ -83,34 +78,28 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     {
         view.attend(time, functions, signals);
         if (readIfModified(time, parts)) step.readControls();
-        if (changes.apply(time, setup))
-        {
-            step.beginAnew();
-            functions.modelsMade(flow);
-        }
+        if (changes.apply(time, setup)) takeNewModels(step, functions, flow);
         const SubSteps steps = divideOrRefuse(time, step, setup, writer);
         const double from = time.value();
         setup.population->beginStep(liquid, from, time.deltaT());
         time.advance();
-        balance.keep(liquid, near);
-        cutWalls();
+        run.keepBalance(near);
+
         step.make(steps);
         flow.moved(steps.dt);
         interruption = stopWhereSignalled(time, signals, parts);
-        const bool densitiesAreDue = time.reportDue() || functions.lookAtDensities(time);
-        if (densitiesAreDue) flow.computeDensities();
+        const bool densities = time.reportDue() || functions.lookAtDensities(time);
+        if (densities) flow.computeDensities();
         changePopulation(setup, near, flow, time, from, device);
         if (time.reportDue()) fallen.warn(liquid);
-        step.beginNext(steps);
+        step.prepareNext(steps);
         refuseDivergence(time, steps, step, setup, writer);
 
         if (time.writeDue()) setup.models->pressure->complete();
-        if (isCut && densitiesAreDue) flow.state();
-        if (functions.lookAtParticles(time)) flow.gather();
-        if (functions.lookAtSurface(time)) flow.gatherSurface(functions.lookAtWholeSurface(time));
+        run.gather(flow, functions, time, densities);
         functions.execute(flow);
         stopWhereAsked(time, functions, parts);
-        if (isFirst && time.reportDue()) reportStep(steps, flow, *setup.population, functions);
+        if (run.isFirst() && time.reportDue()) reportStep(steps, flow, *setup.population, functions);
         writer.write(time, flow, changes, functions);
         profile.count(steps.count);
     }
@@ -119,8 +108,6 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     reportCosts(liquid, writer);
     profile.report(liquid, near);
     endWhereInterrupted(interruption, parts);
-}
-
 }
 
 }

@@ -41,17 +41,25 @@ bool InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& 
     return true;
 }
 
-InternalDisplacement InterParticleForces::takeDisplacement(scalar dt)
+InternalDisplacement InterParticleForces::displacement(scalar dt) const
 {
     if (!isKept_) return {};
-    return {std::move(acceleration_), dt * dt};
+    return {acceleration_.span(), dt * dt};
+}
+
+void InterParticleForces::commit()
+{
+    acceleration_ = {};
+    isKept_ = false;
+    tension_->commit();
+    wetting_->commit();
 }
 
 void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
 {
     isKept_ = false;
     if (!active()) return;
-    tension_->begin(dt);
+    tension_->setStep(dt);
     const bool isLong = semiImplicit_ && semiImplicit_->isNeeded(dt);
     if (!isLong && !wetting_->accelerates() && walls.constraints().all() && tension_->move(liquid, near, walls, dt)) return;
     acceleration_.resizeDiscarding(liquid.all());

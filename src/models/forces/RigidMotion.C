@@ -208,7 +208,7 @@ void RigidMotion::remove
         liquid,
         SumsOfParticle
         {
-            liquid.position.span(), pressure.by.span(), forces.by.span(), pressure.scale, forces.scale, velocity, dt, walls.view(liquid), reach
+            liquid.position.span(), pressure.by, forces.by, pressure.scale, forces.scale, velocity, dt, walls.view(liquid), reach
         },
         sums_
     );

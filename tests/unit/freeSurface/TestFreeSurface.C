@@ -68,7 +68,7 @@ TEST(FreeSurface, HasMemoryForContactLinesFromTheFirstOneOn)
     int atWall = 0;
     for (const SurfaceState& state : surfaceStates(drop)) atWall += state.contact.wall == 0;
     EXPECT_GT(atWall, 0);
-    drop.surface.lendPositions();
+    drop.surface.dropPositions();
     EXPECT_EQ(drop.surface.view().position.size, 0);
     EXPECT_EQ(drop.surface.view().depth.size, room);
 }

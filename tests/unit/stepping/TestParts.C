@@ -73,7 +73,7 @@ public:
 
     scalar dt() const
     {
-        return liquid.units().toScaled(std::min(0.5 * liquid.properties().capillaryStep(), models->pressure->stepLimit()), dimensions::time);
+        return liquid.units().toScaled(std::min(0.5 * liquid.properties().capillaryStep(), models->pressure->stepLimit(liquid.properties())), dimensions::time);
     }
 
     RowLoads rows() const
@@ -117,7 +117,7 @@ public:
             population.beginStep(liquid, k * each, each);
             subStep(dt());
             if (population.endStep(liquid, k * each, (k + 1) * each, 0).any) near.recount();
-            subStep.begin(dt());
+            subStep.prepare(dt());
             states.push_back(state());
         }
         return states;

@@ -88,7 +88,7 @@ public:
             population.beginStep(liquid, made * each, each);
             (*subStep)(dt());
             population.endStep(liquid, made * each, (made + 1) * each, 0);
-            subStep->begin(dt());
+            subStep->prepare(dt());
         }
     }
 
@@ -118,7 +118,7 @@ public:
 
     scalar dt() const
     {
-        const double limit = std::min(0.3 * liquid.properties().capillaryStep(), models->pressure->stepLimit());
+        const double limit = std::min(0.3 * liquid.properties().capillaryStep(), models->pressure->stepLimit(liquid.properties()));
         return liquid.units().toScaled(limit, dimensions::time);
     }
 

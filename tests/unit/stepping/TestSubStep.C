@@ -164,30 +164,30 @@ double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
 }
 
 // A step that was begun ahead is the same step, bit by bit.
-TEST(SubStep, MayBeBegunAhead)
+TEST(SubStep, MayBePreparedAhead)
 {
     const auto expected = spreadDrop([](SubStep& subStep, scalar dt) { subStep(dt); });
     const auto ahead = spreadDrop([](SubStep& subStep, scalar dt)
     {
-        subStep.begin(dt);
+        subStep.prepare(dt);
         subStep(dt);
     });
     EXPECT_EQ(farthest(ahead, expected), 0);
 }
 
 // One of another length, and one from before models changed, leave nothing behind but an order of the particles, on which no sum depends.
-TEST(SubStep, IsBegunAnewWhereWhatWasBegunDoesNotHold)
+TEST(SubStep, IsPreparedAnewWhereWhatWasPreparedDoesNotHold)
 {
     const auto expected = spreadDrop([](SubStep& subStep, scalar dt) { subStep(dt); });
     const auto otherLength = spreadDrop([](SubStep& subStep, scalar dt)
     {
-        subStep.begin(2 * dt);
+        subStep.prepare(2 * dt);
         subStep(dt);
     });
     const auto changed = spreadDrop([](SubStep& subStep, scalar dt)
     {
-        subStep.begin(dt);
-        subStep.beginAnew();
+        subStep.prepare(dt);
+        subStep.dropPrepared();
         subStep(dt);
     });
     const double moved = farthest(expected, spreadDrop([](SubStep&, scalar) {}));

@@ -75,7 +75,7 @@ TEST(TimeStep, IsMadeOfItsSubSteps)
     for (int n = 0; n < 2; ++n)
     {
         step.make(steps);
-        step.beginNext(steps);
+        step.prepareNext(steps);
     }
 
     CaseSetup& setup = *parts.setup;
@@ -98,7 +98,7 @@ TEST(TimeStep, KeepsTheFastestOfItsSubSteps)
     EXPECT_NEAR(step.speeds().now, 0.99, 1e-6);        // read into single precision
     const SubSteps steps = step.divide();
     step.make(steps);
-    step.beginNext(steps);
+    step.prepareNext(steps);
     EXPECT_GT(step.speeds().now, 0);
     EXPECT_GE(step.speeds().most, step.speeds().now);
     EXPECT_EQ(step.speeds().nonFinite, 0);

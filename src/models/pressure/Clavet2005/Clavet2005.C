@@ -176,7 +176,7 @@ public:
     }
 
     bool seesGhosts() const override { return true; }
-    double stepLimit() const override { return sound_.stepLimit; }
+    double stepLimit(const LiquidProperties&) const override { return sound_.stepLimit; }
     double mostCrowded() const override { return 1; }           // from 0.95 spacings drops come to rest
     int iterations() const override { return made_; }
 

@@ -50,6 +50,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace shizuku
 {
@@ -224,22 +225,24 @@ public:
 
     bool stopsAtWalls() const override { return true; }
 
-    InternalDisplacement takeDisplacement() override
+    InternalDisplacement displacement() const override
+    {
+        if (iterations_ == 0) return {};
+        return {total_.span(), -1};
+    }
+
+    // The memory is others' until the next step.
+    void commit() override
     {
         push_ = {};
-        order_ = {};
-        normals_ = {};
-        wallNormals_ = {};
-        Buffer<Vec3> total = std::move(total_);
-        if (iterations_ == 0) return {};
-        return {std::move(total), -1};
+        for (Buffer<Vec3>* buffer : {&order_, &normals_, &wallNormals_, &total_}) *buffer = {};
     }
 
     bool settles() const override { return true; }
 
     void forget() override
     {
-        takeDisplacement();
+        commit();
         steady_.forget();
         pressure_.setZero();
     }
@@ -274,10 +277,11 @@ private:
                 const scalar V = liquid.particleVolume();
                 liquid.ghosts().forEachTeam(liquid.owned(), RaisePressure<Kernel, Stress, Tangential>
                 {
-                    W, V, V / liquid.latticeSum(), ordering_, controls_.relaxation, controls_.epsilon,
-                    dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
-                    {extended_->view(), W.h, walls.view(liquid)}, surface_.view(), {plane_.span(), W.h},
-                    pressure_.span(), liquid.density.span(), push_.span(), order_.span(), stress, tangential
+                    .W = W, .volume = V, .densityVolume = V / liquid.latticeSum(), .ordering = ordering_, .relaxation = controls_.relaxation,
+                    .epsilon = controls_.epsilon, .perPressure = dt_ * dt_ / liquid.restDensity(), .x = liquid.predicted.span(), .near = near.view(),
+                    .walls = {extended_->view(), W.h, walls.view(liquid)}, .surface = surface_.view(), .plane = {plane_.span(), W.h},
+                    .pressure = std::as_const(pressure_).span(), .density = liquid.density.span(), .push = push_.span(), .order = order_.span(),
+                    .stress = stress, .tangential = tangential
                 }, read, made);
             },
             liquid.kernel()
@@ -307,8 +311,9 @@ private:
             {
                 liquid.ghosts().forEachTeam(liquid.owned(), Displace<Kernel, Stress, Tangential>
                 {
-                    W, liquid.particleVolume(), dt_ * dt_ / liquid.restDensity(), liquid.predicted.span(), near.view(),
-                    push_.span(), oneAngle_, order_.span(), walls.stop(liquid), pressure_.span(), total_.span(), stress, tangential
+                    .W = W, .volume = liquid.particleVolume(), .perPressure = dt_ * dt_ / liquid.restDensity(), .x = std::as_const(liquid.predicted).span(),
+                    .near = near.view(), .moved = push_.span(), .pushIsInternal = oneAngle_, .order = std::as_const(order_).span(),
+                    .stop = walls.stop(liquid), .pressure = pressure_.span(), .total = total_.span(), .stress = stress, .tangential = tangential
                 }, {}, made);
             },
             liquid.kernel()

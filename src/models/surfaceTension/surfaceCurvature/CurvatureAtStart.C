@@ -91,7 +91,7 @@ void CurvatureAtStart::bring(CurvatureField& field, const Liquid& liquid, const 
     });
 }
 
-void CurvatureAtStart::endStep()
+void CurvatureAtStart::commit()
 {
     if (now_.size() == before_.size()) before_.swap(now_);
 }

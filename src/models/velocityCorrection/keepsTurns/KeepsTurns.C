@@ -84,7 +84,7 @@ public:
 
     bool seesGhosts() const override { return true; }
 
-    void begin(const Liquid& liquid) override
+    void notePrediction(const Liquid& liquid) override
     {
         way_.resizeDiscarding(liquid.owned());
         forEach(liquid.owned(), FindWay{liquid.predicted.span(), liquid.position.span(), way_.span()});

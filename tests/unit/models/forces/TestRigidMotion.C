@@ -56,7 +56,8 @@ Motion leftOver
     }
     drop.place(points, velocities);
     const scalar dt = 0.01f;
-    const auto part = [&](scalar share) { return InternalDisplacement{Buffer<Vec3>(drop.liquid.velocity.download()), share * dt}; };
+    const Buffer<Vec3> all(drop.liquid.velocity.download());
+    const auto part = [&](scalar share) { return InternalDisplacement{all.span(), share * dt}; };
     RigidMotion().remove(drop.liquid, part(-0.5f), part(1.5f), drop.walls, reach * drop.liquid.spacing(), dt);
     return motionOf(drop);
 }
@@ -92,8 +93,8 @@ TEST(RigidMotion, LeavesFreeLiquidTheAngularMomentumOfBefore)
     rigid.begin(drop.liquid, drop.walls, dt);
     drop.liquid.velocity.upload(changed);
     const Motion made = motionOf(drop);
-    Buffer<Vec3> known(std::vector<Vec3>(points.size(), dt * Vec3{0.03f, 0, 0}));
-    rigid.remove(drop.liquid, {std::move(known), 1}, {}, drop.walls, reach * drop.liquid.spacing(), dt);
+    const Buffer<Vec3> known(std::vector<Vec3>(points.size(), dt * Vec3{0.03f, 0, 0}));
+    rigid.remove(drop.liquid, {known.span(), 1}, {}, drop.walls, reach * drop.liquid.spacing(), dt);
     const Motion after = motionOf(drop);
     const double turned = length(made.turn - before.turn);
     EXPECT_GT(turned, 0.01);

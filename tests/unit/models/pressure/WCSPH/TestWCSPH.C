@@ -85,10 +85,10 @@ TEST(WCSPH, LeavesALatticeAlone)
 TEST(WCSPH, LimitsTheStepBySound)
 {
     LiquidCase drop;                        // spacing 1 mm, support 2 mm
-    EXPECT_NEAR(makePressure(drop, "WCSPH", "maxSpeed 1;")->stepLimit(), 0.4 * 1e-3 / 10, 1e-11);
-    EXPECT_NEAR(makePressure(drop, "WCSPH", "maxSpeed 3; maxDensityVariation 0.09;")->stepLimit(), 0.4 * 1e-3 / 10, 1e-11);
+    EXPECT_NEAR(makePressure(drop, "WCSPH", "maxSpeed 1;")->stepLimit(drop.liquid.properties()), 0.4 * 1e-3 / 10, 1e-11);
+    EXPECT_NEAR(makePressure(drop, "WCSPH", "maxSpeed 3; maxDensityVariation 0.09;")->stepLimit(drop.liquid.properties()), 0.4 * 1e-3 / 10, 1e-11);
     // Water's tension: 2 sqrt(0.072/(1000 1e-3)) = 0.5367 m/s.
-    EXPECT_NEAR(makePressure(drop, "WCSPH", "")->stepLimit(), 0.4 * 1e-3 / 5.3666, 1e-9);
+    EXPECT_NEAR(makePressure(drop, "WCSPH", "")->stepLimit(drop.liquid.properties()), 0.4 * 1e-3 / 5.3666, 1e-9);
 }
 
 TEST(WCSPH, RefusesWhatIsOutOfRange)

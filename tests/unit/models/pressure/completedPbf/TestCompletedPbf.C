@@ -327,7 +327,7 @@ TEST(CompletedPbf, LeavesTheCentroidOfFreeLiquid)
     const VectorSum ordered = sumOfSteps(before, vectors(drop.liquid.position));
     EXPECT_GT(ordered.sizes, 5);
     EXPECT_GT(std::abs(ordered.components[0]), 0.01);
-    RigidMotion().remove(drop.liquid, pressure->takeDisplacement(), {}, drop.walls, drop.surface.support(), 0.5f);
+    RigidMotion().remove(drop.liquid, pressure->displacement(), {}, drop.walls, drop.surface.support(), 0.5f);
     const VectorSum steps = sumOfSteps(before, vectors(drop.liquid.position));
     const VectorSum speeds = sumOfSteps(std::vector<Vec3>(points.size()), drop.liquid.velocity.download());
     for (const double component : steps.components) EXPECT_NEAR(component, 0, 1e-4);

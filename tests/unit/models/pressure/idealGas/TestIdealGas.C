@@ -63,5 +63,5 @@ TEST(IdealGas, ActsWithHalfOfItsPressure)
 TEST(IdealGas, LimitsTheStepBySound)
 {
     LiquidCase drop;
-    EXPECT_NEAR(makePressure(drop, "idealGas", "maxSpeed 1;")->stepLimit(), 0.4 * 1e-3 / 10, 1e-11);
+    EXPECT_NEAR(makePressure(drop, "idealGas", "maxSpeed 1;")->stepLimit(drop.liquid.properties()), 0.4 * 1e-3 / 10, 1e-11);
 }

@@ -29,7 +29,7 @@ public:
         CurvatureField field = curvature_.normals(liquid, near, walls);
         curvature_.curvatures(field, liquid, near, walls);
         if (brought) atStart_.bring(field, liquid, near, surface, share);
-        if (brought && ends) atStart_.endStep();
+        if (brought && ends) atStart_.commit();
         const int found = int(surface.particles().before.download().back());
         const auto kappa = download(field.curvature, found);
         const auto normal = download(field.normal, found);
