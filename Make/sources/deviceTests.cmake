@@ -78,6 +78,7 @@ set(SHIZUKU_DEVICE_TESTS
     walls/TestWallView.C
     walls/TestWalls.C
     population/TestPopulation.C
+    models/forces/TestSemiImplicitTension.C
 )
 # Headers that most of them include, compiled once. Paths below tests/.
 set(SHIZUKU_DEVICE_TEST_HEADERS
@@ -91,5 +92,4 @@ set(SHIZUKU_DEVICE_TEST_SUPPORT
     support/FlowCase.C
     support/LiquidCase.C
     support/PairReference.C
-    models/forces/TestSemiImplicitTension.C
 )
