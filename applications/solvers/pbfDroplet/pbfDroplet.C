@@ -112,6 +112,8 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
 
 }
 
+}
+
 extern "C" int runOnDevice(int argc, char** argv)
 {
     using namespace shizuku;
