@@ -47,7 +47,7 @@ struct Advise
         const double squares = numberOf(sums.squares), energy = numberOf(sums.energy), solution = numberOf(sums.solution);
         Progress now = isFirst ? Progress{} : progress[0];
         // u is as near to the solution as the residual is small. That of the start is no measure where noise makes it as large as steps are too long for it.
-        if (isFirst) now.enough = fmax(tolerance * tolerance * fmin(squares, solution), rounding * rounding * solution);
+        if (isFirst) now.enough = fmax(tolerance * tolerance * (solution > 0 ? fmin(squares, solution) : squares), rounding * rounding * solution);
         if (!(squares > now.enough)) now.hasEnded = 1;
         if (!now.hasEnded)
         {

@@ -154,7 +154,7 @@ TEST(ContinuumSurfaceForce, DoesNotMoveFreeLiquidAsAWhole)
     };
     EXPECT_GT(sumAndLargest().first, 0.1 * sumAndLargest().second);     // there is something to take back
     ASSERT_TRUE(tension->isInternal());
-    RigidMotion().remove(drop.liquid, {}, {std::move(acceleration), dt * dt}, drop.walls, drop.surface.support(), dt);
+    RigidMotion().remove(drop.liquid, {}, {std::as_const(acceleration).span(), dt * dt}, drop.walls, drop.surface.support(), dt);
     EXPECT_LT(sumAndLargest().first, 1e-4 * sumAndLargest().second);
 }
 
