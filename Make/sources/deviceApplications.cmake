@@ -18,3 +18,5 @@ set(adviseCase_SOURCES adviseCase.C CaseForecast.C SolverStart.C)
 set(adviseCase_LINK shizukuAdvice)
 set(checkCase_SOURCES checkCase.C Findings.C LiquidReport.C SolidReport.C SolvedCase.C)
 set(meshSurface_PLUGINS shizukuVtk)     # the format vtp, where VTK is
+set(adviseCase_PLUGINS shizukuSampling) # bodies of liquid out of surfaces, where CGAL is
+set(checkCase_PLUGINS shizukuSampling)

@@ -22,6 +22,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     drops/ProfileFoot.C
     drops/MotionWarnings.C
     drops/SeparateBodies.C
+    drops/SuspectNumbers.C
     drops/WettedSurface.C
     drops/contactLine/ContactLine.C
     drops/contactLine/HeightLoops.C
@@ -37,7 +38,6 @@ set(SHIZUKU_GEOMETRY_SOURCES
     liquidBodies/LiquidChecks.C
     liquidBodies/PlaceBalls.C
     liquidBodies/SphereBody.C
-    liquidBodies/SurfaceBody.C
     liquidBodies/dropSizes/ExponentialSizes.C
     liquidBodies/dropSizes/OneSize.C
     liquidBodies/dropSizes/SizeTable.C
@@ -76,9 +76,10 @@ set(SHIZUKU_GEOMETRY_SOURCES
     thetaModels/ThetaModel.C
 )
 
-# Solid particles on surfaces. CGAL.
+# Solid particles on surfaces, and bodies of liquid inside of them. CGAL.
 set(SHIZUKU_SAMPLING_SOURCES
     sampling/Bell.C
+    sampling/BodyUnion.C
     sampling/CrackClosing.C
     sampling/EdgeRows.C
     sampling/LayerQuality.C
@@ -89,6 +90,7 @@ set(SHIZUKU_SAMPLING_SOURCES
     sampling/RandomPlaces.C
     sampling/ShellUnion.C
     sampling/Slivers.C
+    sampling/SurfaceBody.C
     sampling/SurfaceDistance.C
     sampling/SurfaceFile.C
     sampling/SurfaceGeometry.C

@@ -98,16 +98,6 @@ RepairKernel::Triangle_3 core(const RepairMesh& mesh, Face face)
     return {corners[0], corners[1], corners[2]};
 }
 
-// Pairs of triangles that go through each other, or lie on each other.
-std::size_t crossingPairs(const RepairMesh& mesh)
-{
-    const std::vector<std::pair<Face, Face>> touching = touchingFaces(mesh);
-    return std::size_t(std::count_if(touching.begin(), touching.end(), [&](const std::pair<Face, Face>& pair)
-    {
-        return CGAL::do_intersect(core(mesh, pair.first), core(mesh, pair.second));
-    }));
-}
-
 Vector3 toVector(const RepairKernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
 // Of a closed mesh that crosses itself: cuts the triangles along the crossings, and drops those that have the solid on both
@@ -158,7 +148,7 @@ bool removeInside(RepairMesh& mesh)
     PMP::orient_polygon_soup(points, faces);
     RepairMesh outside;
     PMP::polygon_soup_to_polygon_mesh(points, faces, outside);
-    if (!CGAL::is_closed(outside) || crossingPairs(outside) > 0) return false;
+    if (!CGAL::is_closed(outside) || !crossingFaces(outside).empty()) return false;
     const RepairPatches kept = patchesOf(outside);
     for (const Face face : outside.faces()) kept[face] = patch[face];
     mesh = std::move(outside);
@@ -179,6 +169,16 @@ RepairMesh join(const std::vector<RepairMesh>& shells)
     return all;
 }
 
+}
+
+std::vector<std::pair<Face, Face>> crossingFaces(const RepairMesh& mesh)
+{
+    std::vector<std::pair<Face, Face>> touching = touchingFaces(mesh);
+    std::erase_if(touching, [&](const std::pair<Face, Face>& pair)
+    {
+        return !CGAL::do_intersect(core(mesh, pair.first), core(mesh, pair.second));
+    });
+    return touching;
 }
 
 void uniteShells(RepairMesh& mesh, std::vector<std::string>& report)
@@ -211,7 +211,7 @@ void uniteShells(RepairMesh& mesh, std::vector<std::string>& report)
         report.push_back(std::to_string(united + 1) + " shells that cross each other united");
     }
 
-    const std::size_t pairs = crossingPairs(mesh);
+    const std::size_t pairs = crossingFaces(mesh).size();
     if (pairs == 0) return;
     const std::string found = std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs") + " of triangles that cross each other";
     if (CGAL::is_closed(mesh) && removeInside(mesh)) report.push_back(found + " cut, and what lay inside of the solid removed");

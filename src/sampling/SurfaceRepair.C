@@ -4,6 +4,7 @@
 #include "core/messages/Error.H"
 #include "meshes/Bounds.H"
 #include "meshes/PointsInside.H"
+#include "sampling/BodyUnion.H"
 #include "sampling/CrackClosing.H"
 #include "sampling/ShellUnion.H"
 #include "sampling/SurfaceMesh.H"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace shizuku
@@ -96,16 +98,36 @@ public:
     bool branches = false;                  // edges belong to more than two triangles
 
 private:
+    // Cells are larger than the tolerance. A vertex near a cell's border looks for its like behind the border too.
     void mergeVertices(const TriangleMesh& mesh, double tolerance)
     {
-        std::map<std::array<long long, 3>, std::size_t> places;
+        using Cell = std::array<long long, 3>;
+        const double edge = 8*tolerance;
+        std::map<Cell, std::vector<std::size_t>> places;
         for (const Vector3& v : mesh.vertices)
         {
-            std::array<long long, 3> cell;
-            for (int c = 0; c < 3; ++c) cell[c] = std::llround(v[c]/tolerance);
-            const auto [place, isNew] = places.emplace(cell, points.size());
-            if (isNew) points.emplace_back(v.x, v.y, v.z);
-            vertex_.push_back(place->second);
+            Cell low, high;
+            for (int c = 0; c < 3; ++c)
+            {
+                low[c] = std::llround((v[c] - tolerance)/edge);
+                high[c] = std::llround((v[c] + tolerance)/edge);
+            }
+            std::optional<std::size_t> same;
+            for (long long i = low[0]; i <= high[0] && !same; ++i)
+            for (long long j = low[1]; j <= high[1] && !same; ++j)
+            for (long long k = low[2]; k <= high[2] && !same; ++k)
+            {
+                const auto cell = places.find({i, j, k});
+                if (cell == places.end()) continue;
+                for (const std::size_t point : cell->second) if (length(toVector(points[point]) - v) <= tolerance) same = point;
+            }
+            if (!same)
+            {
+                same = points.size();
+                points.emplace_back(v.x, v.y, v.z);
+                places[{std::llround(v.x/edge), std::llround(v.y/edge), std::llround(v.z/edge)}].push_back(*same);
+            }
+            vertex_.push_back(*same);
         }
     }
 
@@ -360,7 +382,7 @@ PatchedSurface collect(const Mesh& mesh, const RepairPatches& patch, std::vector
 
 }
 
-RepairedSurface repairSurface(const PatchedSurface& input, double largestHole, const std::string& file)
+RepairedSurface repairSurface(const PatchedSurface& input, double largestHole, const std::string& file, Shells shells)
 {
     RepairedSurface result;
     const double extent = extentOf(input.mesh.vertices);
@@ -376,7 +398,8 @@ RepairedSurface repairSurface(const PatchedSurface& input, double largestHole, c
     const std::size_t joined = closeCracks(mesh, crackWidth*largestHole);
     if (joined > 0) report.push_back(count(joined, "edge", "along cracks joined"));
     closeHoles(mesh, patch, std::min(largestHole, 0.5*extent), report);
-    uniteShells(mesh, report);
+    if (shells == Shells::solids) uniteShells(mesh, report);
+    else if (CGAL::is_closed(mesh)) uniteBodies(mesh, report, file);
     result.surface = collect(mesh, patchesOf(mesh), input.patches);
     if (result.surface.mesh.faces.empty()) throw FatalInputError({file, 0}, "Every triangle of the surface is degenerate");
     auto shell = mesh.add_property_map<Face, std::size_t>("f:shell", 0).first;
