@@ -3,8 +3,10 @@
 
 #include "SlipReport.H"
 #include "caseFiles/SampledWall.H"
+#include "caseFiles/SolidParticles.H"
 #include "core/arguments/runApplication.H"
 #include "drops/MotionWarnings.H"
+#include "drops/SuspectNumbers.H"
 #include "parallel/AllParts.H"
 #include "thetaModels/ThetaField.H"
 
@@ -61,10 +63,23 @@ std::vector<SeparateBody> bodiesAtStart(const FlowView& flow, const Liquid& liqu
     return separateBodies(positions, velocities, flow.properties().spacing);
 }
 
+// Of many solid particles none are read once more for it: checkCase looks at any.
+void warnOfPlaces(const FlowView& flow, const std::vector<SeparateBody>& bodies)
+{
+    constexpr int most = 200000;                            // solid particles
+    const std::filesystem::path& path = flow.time.casePath();
+    const int particles = flow.walls.particles();
+    if (particles > most) return;
+    const std::vector<Vector3> solid = particles > 0 ? readSolidParticles(path).positions : std::vector<Vector3>();
+    warnOf(suspectPlaces(path, bodies, readAnalyticSurfaces(Dictionary::read(path / "constant/walls")), solid));
+}
+
 void warnOfStart(const FlowView& flow, const Liquid& liquid)
 {
     const std::vector<SeparateBody> bodies = bodiesAtStart(flow, liquid);
     if (liquid.parts().part() > 0) return;
+    warnOf(suspectEntries(flow.time.casePath()));
+    warnOfPlaces(flow, bodies);
     const LiquidProperties& p = flow.properties();
     std::vector<std::string> warnings = resolutionWarnings(bodies, p.spacing);
     if (const std::string text = flatteningWarning(flow); !text.empty()) warnings.push_back(text);

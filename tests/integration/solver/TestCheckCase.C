@@ -220,7 +220,11 @@ TEST_P(CheckCase, ATensionInAnotherUnitIsAskedAbout)
 {
     EXPECT_EQ(check().text.find("is that meant?"), std::string::npos);
     write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma 72.8;\n");
-    EXPECT_TRUE(holds(check().text, {"sigma is 72.8 N/m: is that meant? Water has 0.0728 N/m"}));
+    const std::string text = "sigma is 72.8 N/m: is that meant? Water has 0.0728 N/m";
+    EXPECT_TRUE(holds(check().text, {"*Warning: " + text}));
+    const std::string log = solve().text;
+    EXPECT_TRUE(holds(log, {"--> WARNING: " + text, "constant/liquidProperties at line 3"}));
+    EXPECT_EQ(log.find(text), log.rfind(text)) << log;
 }
 
 TEST_P(CheckCase, UtilitiesDictionariesAndSteps)

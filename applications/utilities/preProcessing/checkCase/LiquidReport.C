@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LiquidReport.H"
 
+#include "caseFiles/SolidParticles.H"
 #include "drops/MotionWarnings.H"
+#include "drops/SuspectNumbers.H"
 #include "meshes/ConnectedPoints.H"
 
 #include <algorithm>
@@ -26,26 +28,6 @@ std::vector<Vector3> toHost(const Buffer<Vec3>& field, double unit, int count)
     return result;
 }
 
-// Of no liquid that is met in a laboratory: most likely in another unit.
-void checkProperties(const LiquidProperties& p, Findings& findings)
-{
-    struct Range { const char* name; double value, least, most; const char* unit; const char* water; };
-    const Range ranges[] =
-    {
-        {"sigma", p.surfaceTension, 1e-4, 2, "N/m", "0.0728"},      // liquids near their critical points, molten metals
-        {"rho", p.density, 50, 25000, "kg/m3", "998"},              // liquid hydrogen, molten osmium
-        {"nu", p.viscosity, 1e-8, 1e3, "m2/s", "1e-6"}              // superheated metals, pitch
-    };
-    for (const Range& range : ranges)
-    {
-        if (range.value == 0 || (range.value >= range.least && range.value <= range.most)) continue;
-        std::ostringstream text;
-        text << range.name << " is " << range.value << " " << range.unit << ": is that meant? Water has " << range.water << " " << range.unit
-             << ", and no liquid less than " << range.least << " or more than " << range.most;
-        findings.warn(text.str());
-    }
-}
-
 void checkSpacing(const std::vector<Vector3>& positions, double spacing, Findings& findings)
 {
     const double gap = measureGaps(positions, 3 * spacing).mean / spacing;
@@ -67,13 +49,12 @@ void report(const SeparateBody& body, std::size_t number, const LiquidProperties
 
 }
 
-void reportLiquid(const Liquid& liquid, const Models* models, Findings& findings)
+void reportLiquid(const std::filesystem::path& casePath, const Liquid& liquid, const Models* models, Findings& findings)
 {
     const double gravity = models ? models->bodyForce->acceleration() : std::numeric_limits<double>::quiet_NaN();
     const LiquidProperties& p = liquid.properties();
     const auto positions = liquid.positions();
     checkSpacing(positions, p.spacing, findings);
-    checkProperties(p, findings);
     const auto velocities = toHost(liquid.velocity, liquid.units().of(dimensions::velocity), liquid.owned());
     const std::vector<SeparateBody> bodies = separateBodies(positions, velocities, p.spacing);
     std::cout << "Liquid: " << liquid.owned() << " particles of spacing " << p.spacing << " m, volume "
@@ -86,6 +67,12 @@ void reportLiquid(const Liquid& liquid, const Models* models, Findings& findings
         for (const std::string& warning : motionWarnings(models->dict.lookup<std::string>("viscosity"), bodies, scales)) findings.warn(warning);
     }
     for (const std::string& warning : resolutionWarnings(bodies, p.spacing)) findings.warn(warning);
+    findings.attempt([&]
+    {
+        const std::vector<Vector3> solid = haveSolidParticles(casePath) ? readSolidParticles(casePath).positions : std::vector<Vector3>();
+        const auto walls = readAnalyticSurfaces(Dictionary::read(casePath / "constant/walls"));
+        for (const Suspect& suspect : suspectPlaces(casePath, bodies, walls, solid)) findings.warn(suspect.text);
+    });
 }
 
 }

@@ -7,6 +7,7 @@
 #include "SolvedCase.H"
 #include "core/arguments/runApplication.H"
 #include "device/DeviceApplication.H"
+#include "drops/SuspectNumbers.H"
 #include "functionObjects/ModelList.H"
 #include "motion/SpeedMeter.H"
 #include "stepping/DryRun.H"
@@ -43,9 +44,10 @@ void checkCase(const Arguments& args)
 
     Findings findings;
     SolvedCase solved(args.casePath(), findings);
+    for (const Suspect& suspect : suspectEntries(solved.path)) findings.warn(suspect.text);
     if (solved.liquid && solved.liquid->owned() > 0)
     {
-        reportLiquid(*solved.liquid, solved.models.get(), findings);
+        reportLiquid(solved.path, *solved.liquid, solved.models.get(), findings);
     }
     if (solved.walls)
     {

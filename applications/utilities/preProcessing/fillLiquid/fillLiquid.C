@@ -5,8 +5,11 @@
 #include "core/arguments/runApplication.H"
 #include "core/fieldFile/AtomicFile.H"
 #include "core/time/Time.H"
+#include "drops/SuspectNumbers.H"
 #include "liquidBodies/LiquidChecks.H"
+#include "meshes/Bounds.H"
 
+#include <algorithm>
 #include <iostream>
 
 using namespace shizuku;
@@ -31,6 +34,23 @@ void report(const FilledBody& body, double spacing)
     for (const std::string& line : body.leftOut) std::cout << "    left out " << line << "\n";
 }
 
+// As separateBodies() has them, by what was asked for: looking for neighbours would take longer than filling.
+std::vector<SeparateBody> bodiesOf(const std::vector<FilledBody>& filled, double spacing)
+{
+    std::vector<SeparateBody> bodies;
+    for (const FilledBody& each : filled)
+    {
+        const Bounds bounds = boundsOf(each.positions);
+        SeparateBody body;
+        body.low = bounds.low;
+        body.high = bounds.high;
+        body.volume = each.positions.size()*spacing*spacing*spacing;
+        bodies.push_back(body);
+    }
+    std::sort(bodies.begin(), bodies.end(), [](const SeparateBody& a, const SeparateBody& b) { return a.volume > b.volume; });
+    return bodies;
+}
+
 void run(const Arguments& args)
 {
     const std::filesystem::path& casePath = args.casePath();
@@ -41,6 +61,7 @@ void run(const Arguments& args)
     const SolidParticles solid = haveSolidParticles(casePath) ? readSolidParticles(casePath) : SolidParticles();
 
     std::cout << "Particle spacing " << spacing << " m\n";
+    warnOf(suspectEntries(casePath));
     for (FilledBody& body : bodies) keepOutOfWalls(body, walls, spacing);
     keepOutOfSolid(bodies, solid, spacing);
     keepApart(bodies, spacing);
@@ -51,6 +72,7 @@ void run(const Arguments& args)
     });
     std::size_t count = 0;
     for (const FilledBody& body : bodies) count += body.positions.size();
+    warnOf(suspectPlaces(casePath, bodiesOf(bodies, spacing), walls, solid.positions));
     std::cout << "Wrote 0/liquid: " << count << " particles\n";
     const std::vector<TimeFolder> times = timeFolders(casePath);
     if (times.back().value <= 0) return;
