@@ -57,6 +57,7 @@ set(SHIZUKU_CORE_SOURCES
     parallel/AllParts.C
     parallel/CallPlace.C
     parallel/CheckedParts.C
+    parallel/Launcher.C
     parallel/ParallelRun.C
     parallel/Watchdog.C
 )

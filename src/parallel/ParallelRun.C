@@ -3,11 +3,13 @@
 
 #include "core/messages/Error.H"
 #include "parallel/CheckedParts.H"
+#include "parallel/Launcher.H"
 
 #include <dlfcn.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -29,8 +31,22 @@ bool asksForParts(int argc, char** argv)
 // Started by mpirun, but each by itself.
 void warnOfLonely()
 {
-    const char* const size = std::getenv("OMPI_COMM_WORLD_SIZE");
-    if (size && std::atoi(size) > 1) warning(std::string("mpirun has started ") + size + " processes, and each runs the case by itself: -parallel is missing");
+    const auto launch = launchOf();
+    if (!launch || !launch->isMpirun || launch->processes < 2) return;
+    warning("mpirun has started " + std::to_string(launch->processes) + " processes, and each runs the case by itself: -parallel is missing");
+}
+
+// Of one process with -parallel: others that were started beside it would each compute the whole case.
+void refuseStrangers(const std::optional<Launch>& launch, const std::string& program)
+{
+    const std::string several = std::to_string(launch ? std::max(launch->processes, 2) : 4), call = "mpirun -np " + several + " " + program + " -parallel";
+    if (!launch) return warning("-parallel without mpirun: one process computes the whole case\n    Expected: " + call);
+    if (launch->processes < 2) return;
+    throw FatalError
+    (
+        "By " + launch->variable + " a launcher has started " + several + " processes or more, but -parallel finds this one alone: the launcher does not speak with Open MPI\n"
+        "    Expected: " + call + ", in a batch job too; or a launcher that speaks PMIx, such as srun --mpi=pmix"
+    );
 }
 
 std::unique_ptr<ParallelRun> open(int argc, char** argv)
@@ -122,7 +138,9 @@ int runInParts(int argc, char** argv, const std::function<int(const Communicator
     static std::unique_ptr<ParallelRun> all;            // -help and the like end the program from within
     try
     {
+        const auto launch = launchOf();                 // before MPI adds its own words to the environment
         all = open(argc, argv);
+        if (all->parts().parts() == 1) refuseStrangers(launch, std::filesystem::path(argv[0]).filename().string());
     }
     catch (const FatalError& error)
     {
