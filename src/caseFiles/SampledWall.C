@@ -24,6 +24,7 @@ std::string changeOf(const SampledWall& wall, const Dictionary& made)
     const auto formerly = was.lookup<std::string>("surface");
     if (formerly != surface) return name + " was made of " + formerly + ", not of " + surface;
     if (was.lookup<double>("scale") != wall.scale) return "the scale of " + name + " has changed";
+    if (was.lookupOr("flip", false) != wall.flip) return "flip of " + name + " has changed";
     if (was.lookup<double>("closeHoles") != wall.closeHoles.value_or(0)) return "closeHoles of " + name + " has changed";
     if (!isThere(wall.file)) return "";
     const bool same = was.lookup<std::string>("sum") == std::to_string(SurfaceMark::of(wall).sum);
@@ -60,7 +61,7 @@ std::vector<SampledWall> readSampledWalls(const std::filesystem::path& casePath)
             wall.markUsed();
             continue;
         }
-        SampledWall sampled{name, casePath/"constant"/"triSurface"/wall.lookup<std::string>("surface"), 1, {}, wall.where(), wall.where("surface")};
+        SampledWall sampled{name, casePath/"constant"/"triSurface"/wall.lookup<std::string>("surface"), 1, {}, wall.lookupOr("flip", false), wall.where(), wall.where("surface")};
         if (wall.found("scale")) sampled.scale = wall.lookupPositive("scale", dimensions::none);
         if (wall.found("closeHoles"))
         {
@@ -95,7 +96,7 @@ SurfaceMark SurfaceMark::of(const SampledWall& wall)
     const MappedFile file(wall.file);
     boost::crc_32_type sum;
     sum.process_bytes(file.text().data(), file.text().size());
-    return {wall.name, wall.file.filename().string(), wall.scale, wall.closeHoles.value_or(0), sum.checksum()};
+    return {wall.name, wall.file.filename().string(), wall.scale, wall.closeHoles.value_or(0), sum.checksum(), wall.flip};
 }
 
 void writeMarks(std::ostream& stream, const std::vector<SurfaceMark>& marks)
@@ -105,6 +106,7 @@ void writeMarks(std::ostream& stream, const std::vector<SurfaceMark>& marks)
     {
         stream << mark.wall << "\n{\n    surface     \"" << mark.surface << "\";\n    scale       " << mark.scale
                << ";\n    closeHoles  " << mark.closeHoles << ";\n    sum         \"" << mark.sum << "\";\n";
+        if (mark.flip) stream << "    flip        yes;\n";
         if (!mark.form.empty()) stream << "    form        " << mark.form << ";\n";
         stream << "}\n";
     }

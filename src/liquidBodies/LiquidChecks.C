@@ -174,7 +174,7 @@ void keepOutOfSolid(std::span<FilledBody> bodies, const SolidParticles& solid, d
             keepOut
             (
                 body, "Liquid inside a solid, the wall '" + solid.patches[patch] + "'",
-                "particles in front of the wall, where its normals look, at least 0.9 spacings from its particles",
+                "particles in front of the faces of the wall's surface, at least 0.9 spacings from its particles; where all liquid is behind them, `flip yes;` in constant/walls turns the faces, and sampleSurface is run again",
                 [&](std::size_t i) { return patches[i] == patch; }
             );
             std::erase(patches, patch);

@@ -277,7 +277,8 @@ void Walls::refuseLiquidInside(const Liquid& liquid) const
         throw FatalInputError
         (
             where, "Liquid particle " + std::to_string(liquid.id.download()[i]) + " at " + str(liquid.positions()[i])
-          + " m is inside the solid '" + wall + "', or too near to it", "liquid half a spacing outside of every wall, which is where the normals of a sampled one point to"
+          + " m is inside the solid '" + wall + "', or too near to it",
+            "liquid half a spacing outside of every wall. A sampled one has its solid behind the faces of its surface: where all liquid is on that side, `flip yes;` in constant/walls turns them"
         );
     };
     if (const auto inside = liquidInside(liquid, surfaces_))

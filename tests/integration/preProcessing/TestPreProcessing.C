@@ -103,6 +103,37 @@ TEST_F(PreProcessing, ChainWritesSolidAnglesAndLiquid)
     }
 }
 
+// Liquid is behind the faces of the floor: the message says that it is these, and what turns them.
+TEST_F(PreProcessing, FacesThatLookTheWrongWayAreNamedAndTurnedByFlip)
+{
+    PatchedSurface floor = rectangle(20, 20);
+    for (auto& face : floor.mesh.faces) std::swap(face[0], face[1]);
+    folder_.write("constant/triSurface/floor.stl", stlText(floor, "floor"));
+    expectSuccess("sampleSurface", {});
+    expectRefusal("fillLiquid", {"inside a solid, the wall 'floor'", "in front of the faces", "`flip yes;`"}, "0/liquid");
+
+    folder_.write("constant/walls", "floor { type particles; surface \"floor.stl\"; scale 0.001; flip yes; }");
+    EXPECT_TRUE(holds(otherSurfaces(casePath()), {"flip of the wall 'floor' has changed", "sampleSurface"}));
+    expectSuccess("sampleSurface", {"triangles from floor.stl, turned round"});
+    EXPECT_EQ(otherSurfaces(casePath()), "");
+    const SolidParticles solid = readSolidParticles(casePath());
+    for (std::size_t i = 0; i < solid.positions.size(); ++i)
+    {
+        ASSERT_NEAR(solid.positions[i].z, -0.5e-3, 1e-11);
+        ASSERT_EQ(solid.normals[i], Vector3(0, 0, 1));
+    }
+    expectSuccess("fillLiquid", {"drop: 400 particles"});
+}
+
+TEST_F(PreProcessing, SlipsAreAskedAboutWhereLiquidIsFilled)
+{
+    expectSuccess("sampleSurface", {});
+    folder_.write("constant/liquidProperties", "rho 998; nu 1e-6; sigma 72.8;");
+    folder_.write("constant/wettability", "floor { theta 1.2; }");
+    fill("drop { type sphere; centre (0.01 0.01 5); radius 4e-3; }");
+    expectSuccess("fillLiquid", {"WARNING: sigma is 72.8 N/m", "theta of 'floor' is 1.2 degrees: are these radians?", "m from every wall"});
+}
+
 TEST_F(PreProcessing, BinaryFormatGivesTheSame)
 {
     expectSuccess("sampleSurface", {});

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 namespace shizuku
 {
@@ -87,8 +88,9 @@ RepairedSurface loadSurface(const SampledWall& wall, double spacing)
     refuseMissingSurface(wall);
     PatchedSurface raw = readSurface(wall.file, wall.name);
     for (Vector3& vertex : raw.mesh.vertices) vertex *= wall.scale;
+    if (wall.flip) for (auto& face : raw.mesh.faces) std::swap(face[0], face[1]);
     std::cout << wall.name << ": read " << raw.mesh.faces.size() << " triangles from " << wall.file.filename().string()
-              << "\n";
+              << (wall.flip ? ", turned round" : "") << "\n";
 
     const Vector3 size = boundsOf(raw.mesh.vertices).size();
     const double longest = std::max({size.x, size.y, size.z});
