@@ -103,7 +103,7 @@ function(shizuku_backend backend)
         endif()
         add_test(NAME ${name} COMMAND ${name})
         # 77: no GPU, see tests/support/DeviceMain.C. The loops are short: threads that wait shall not spin on a busy machine.
-        set_tests_properties(${name} PROPERTIES LABELS "unit;${backend}" SKIP_RETURN_CODE 77
+        set_tests_properties(${name} PROPERTIES LABELS "unit;${backend}" SKIP_RETURN_CODE 77 TIMEOUT 900
             ENVIRONMENT "SHIZUKU_DIR=${PROJECT_SOURCE_DIR};SHIZUKU_BUILD=${CMAKE_BINARY_DIR};OMP_WAIT_POLICY=passive")
     endif()
 endfunction()

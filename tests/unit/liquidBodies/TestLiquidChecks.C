@@ -3,8 +3,6 @@
 #include "liquidBodies/LiquidChecks.H"
 #include "unit/liquidBodies/Bodies.H"
 
-#include <chrono>
-
 namespace shizuku::test
 {
 
@@ -132,24 +130,26 @@ TEST(LiquidChecks, BoxesThatMeetAreFound)
     EXPECT_EQ(earlierBoxesThatMeet(boxes), expected);
 }
 
+// Of n^3 drops in a lattice, each of which meets those around it alone: the pairs that are compared are the neighbours, edges and corners included.
 TEST(LiquidChecks, WorkGrowsWithTheDropsNotWithTheirPairs)
 {
-    // Time of the comparison of n^3 drops of 56 particles in a lattice whose gaps are less than a spacing: neighbours' boxes meet.
-    const auto seconds = [](int n)
+    const auto pairs = [](int n)
     {
-        std::vector<FilledBody> bodies;
+        std::vector<Bounds> boxes;
         for (int i = 0; i < n*n*n; ++i)
         {
-            const Vector3 centre = 5.2*Vector3(i%n, i/n%n, i/(n*n));
-            bodies.push_back(fill("drop", "type sphere; radius 2.4; centre " + str(centre) + ";", 1));
+            const Vector3 centre = 5.2*Vector3(i%n, i/n%n, i/(n*n)), reach = 2.9*Vector3(1, 1, 1);
+            boxes.push_back({centre - reach, centre + reach});
         }
-        const auto start = std::chrono::steady_clock::now();
-        keepApart(bodies, 1);
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        std::size_t count = 0;
+        for (const auto& earlier : earlierBoxesThatMeet(boxes)) count += earlier.size();
+        return count;
     };
-    // Eight times the drops: ten times the work, as more of them have neighbours on all sides, against 64 by pairs. Half
-    // of that leaves room for a machine that does other things.
-    EXPECT_LT(seconds(12), 32*seconds(6));
+    for (const std::size_t n : {6, 12})
+    {
+        const std::size_t around = 3*n - 2;         // neighbours along an axis, itself included, of all in a row
+        EXPECT_EQ(pairs(int(n)), (around*around*around - n*n*n)/2);
+    }
 }
 
 TEST(FilledBody, TurnsAboutItsCentroid)
