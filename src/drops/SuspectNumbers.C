@@ -4,7 +4,6 @@
 #include "core/angles/Degrees.H"
 #include "core/messages/Error.H"
 #include "core/paths/Existence.H"
-#include "reference/FlowNumbers.H"
 
 #include <algorithm>
 #include <cmath>

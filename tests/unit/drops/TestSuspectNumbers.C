@@ -53,7 +53,7 @@ TEST(SuspectNumbers, PropertiesOfNoLiquid)
 TEST(SuspectNumbers, AnglesInRadians)
 {
     expectOne(saidOfWalls("floor { theta 1.2; }"), {"theta of 'floor' is 1.2 degrees", "radians are 68.75"});
-    expectOne(saidOfWalls("floor { theta 2.618; } lid { theta 90; }"), {"'floor' is 2.618", "150.0"});
+    expectOne(saidOfWalls("floor { theta 2.618; } lid { theta 90; }"), {"'floor' is 2.618", "are 150 degrees"});
     expectOne(saidOfWalls("floor { type stripes; theta (0.5 2); }"), {"'floor' is 2 degrees"});
     expectOne(saidOfWalls("floor { law hysteresis; thetaAdv 2; thetaRec 1; }"), {"thetaAdv of 'floor' is 2 degrees"});
     EXPECT_TRUE(saidOfWalls("floor { theta 0; } a { theta 5; } b { type stripes; theta (2 90); } c { type expression; theta \"60 + x\"; }").empty());
