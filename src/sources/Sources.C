@@ -24,8 +24,8 @@ Dictionary readSources(const std::filesystem::path& casePath)
 
 struct Near
 {
-    bool is = false;
-    HOST_DEVICE void add(const Near& other) { is = is || other.is; }
+    std::uint32_t is = 0;                       // 0 or 1: a whole word, which lanes of a GPU pass on
+    HOST_DEVICE void add(const Near& other) { is |= other.is; }
 };
 
 struct IsNear
@@ -109,7 +109,7 @@ Sources::Change Sources::apply(Liquid& liquid, double from, double to, double& n
     {
         Buffer<Near> scratch;
         const IsNear near{place.x / unit, place.y / unit, place.z / unit, reach / unit, liquid.position.span()};
-        return liquid.parts().any(reduce(liquid.owned(), near, scratch).is);
+        return liquid.parts().any(reduce(liquid.owned(), near, scratch).is > 0);
     };
     std::vector<Birth> births;
     for (const Named& named : list_)
