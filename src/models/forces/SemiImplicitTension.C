@@ -15,9 +15,9 @@ namespace
 
 constexpr scalar resolvedCapillaryCo = 1.4f;
 
+// The first direction is f itself: what differs along the surface by nothing is right from there on.
 struct Begin
 {
-    scalar first;                           // the first direction over f
     FreeSurfaceView surface;
     HalfSpaceView plane;
     Span<Vec3> acceleration;                // f, then zero
@@ -29,10 +29,11 @@ struct Begin
         const Vec3 G = surface.gradient[k], f = acceleration[i];
         const scalar slope = norm(G);
         Vec3 n = -1 / fmax(slope, 1e-20f) * Vec3{G.x, G.y, G.z};
-        n.w = slope > 0 ? 2 * plane(surface.depthOf(k)).gradient : 0;
+        const bool isFree = slope > 0 && surface.contactAt(k).wall < 0;
+        n.w = isFree ? 2 * plane(surface.depthOf(k)).gradient : -1;
         normal[k] = n;
         residual[k] = f;
-        direction[k] = first * f;
+        direction[k] = f;
         acceleration[i] = Vec3{};
     }
 };
@@ -64,7 +65,7 @@ struct Iterate
             if (surface.isInside(j)) return;
             const int l = int(surface.place[j]);
             const Vec3 nj = normal[l];
-            if (!(dot(ni, nj) >= 0)) return;                    // the other side of a film
+            if (!(dot(ni, nj) >= 0) || fmin(ni.w, nj.w) < 0) return;            // the other side of a film; at a wall
             const Vec3 mean = ni + nj;
             const scalar weight = -W.g(norm(xi - x[j])) * (ni.w + nj.w) / fmax(squared(mean), 1e-20f);
             sum += weight * dot(mean, di - direction[l]) * mean;
@@ -112,23 +113,23 @@ void SemiImplicitTension::apply
     for (Buffer<Vec3>* vector : {&normal_, &residual_, &direction_, &next_}) vector->resizeDiscarding(room);
     const FreeSurfaceView view = surface.view();
     const scalar largest = largestEigenvalue(dt), centre = 0.5f * (largest + 1), radius = 0.5f * (largest - 1);
-    scalar before = radius / centre;
+    scalar before = 0;
     std::visit
     (
         [&]<class Kernel>(const Kernel& W)
         {
             forEach(surface.particles(), Begin
             {
-                1 / centre, view, {plane_.span(), W.h}, acceleration.span(), normal_.span(), residual_.span(), direction_.span()
+                view, {plane_.span(), W.h}, acceleration.span(), normal_.span(), residual_.span(), direction_.span()
             });
             liquid.ghosts().copy({valuesOf(surface.particles(), normal_)}, GhostsOf::lists);
-            for (int left = iterations(dt); left > 0; --left)
+            for (int made = 0; made <= iterations(dt); ++made)
             {
                 liquid.ghosts().copy({valuesOf(surface.particles(), direction_)}, GhostsOf::lists);
-                const scalar now = 1 / (2 * centre / radius - before);
+                const scalar now = made == 0 ? radius / centre : 1 / (2 * centre / radius - before);
                 forEachTeam(surface.particles(), Iterate<Kernel>
                 {
-                    W, stiffness(dt) * liquid.particleVolume(), now * before, 2 * now / radius, liquid.predicted.span(), near.view(), view,
+                    W, stiffness(dt) * liquid.particleVolume(), now * before, (made == 0 ? 1 : 2) * now / radius, liquid.predicted.span(), near.view(), view,
                     std::as_const(normal_).span(), std::as_const(direction_).span(), residual_.span(), next_.span(), acceleration.span()
                 });
                 direction_.swap(next_);
