@@ -123,7 +123,7 @@ set(SHIZUKU_DEVICE_SOURCES
     functionObjects/spreadDiameter/SpreadDiameter.C
     functionObjects/stepTime/StepTime.C
     functionObjects/volume/Volume.C
-    models/forces/SemiImplicitTension.C
+    freeSurface/SemiImplicitTension.C
     sources/HeldLiquid.C
     sources/Needle.C
     sources/Nozzle.C

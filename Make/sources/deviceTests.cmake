@@ -10,17 +10,18 @@ set(SHIZUKU_DEVICE_TESTS
     freeSurface/TestExtendedLiquid.C
     freeSurface/TestFreeSurface.C
     freeSurface/TestHeldLine.C
+    freeSurface/TestSemiImplicitTension.C
     functionObjects/TestDropObjects.C
     functionObjects/TestFunctionControl.C
     functionObjects/TestFunctionObjects.C
     functionObjects/TestProbes.C
     functionObjects/TestRunTimeControl.C
+    linearSolvers/TestConjugateGradients.C
     maths/TestCohesionSpline.C
     maths/TestKernel.C
     maths/TestPackedDeviator.C
     maths/TestPackedRows.C
     maths/TestSymmTensor.C
-    linearSolvers/TestConjugateGradients.C
     models/TestModels.C
     models/bodyForce/gravity/TestGravity.C
     models/density/TestDensity.C
@@ -64,6 +65,7 @@ set(SHIZUKU_DEVICE_TESTS
     particles/TestFieldRegistry.C
     particles/TestParticleFiles.C
     particles/TestUnits.C
+    population/TestPopulation.C
     stepping/TestCaseSetup.C
     stepping/TestParts.C
     stepping/TestRestart.C
@@ -77,8 +79,6 @@ set(SHIZUKU_DEVICE_TESTS
     walls/TestWallSurface.C
     walls/TestWallView.C
     walls/TestWalls.C
-    population/TestPopulation.C
-    models/forces/TestSemiImplicitTension.C
 )
 # Headers that most of them include, compiled once. Paths below tests/.
 set(SHIZUKU_DEVICE_TEST_HEADERS

@@ -9,7 +9,7 @@ using namespace shizuku::test;
 namespace
 {
 
-Dictionary ofStrength(const std::string& strength)
+Dictionary correctionOfStrength(const std::string& strength)
 {
     return Dictionary::parse("velocityCorrection @word@; @word@Coeffs { strength " + strength + "; }", "constant/models");
 }
@@ -20,7 +20,7 @@ TEST(@class@, KeepsItsShareOfThePrediction)
 {
     LiquidCase drop;
     drop.place({{0, 0, 0}, {3, 0, 0}}, {{1, 0, 0}, {0, -2, 0}});         // the predicted positions are these
-    const auto model = VelocityCorrection::New(ofStrength("0.25"), drop.liquid);
+    const auto model = VelocityCorrection::New(correctionOfStrength("0.25"), drop.liquid);
     model->notePrediction(drop.liquid);
     model->apply(drop.liquid, drop.near, drop.walls, 0.5f);
     const auto velocity = drop.inOrder(drop.liquid.velocity);
@@ -31,5 +31,5 @@ TEST(@class@, KeepsItsShareOfThePrediction)
 TEST(@class@, RefusesAStrengthAboveOne)
 {
     LiquidCase drop;
-    EXPECT_TRUE(holds(messageOf([&] { VelocityCorrection::New(ofStrength("2"), drop.liquid); }), {"constant/models", "0 to 1"}));
+    EXPECT_TRUE(holds(messageOf([&] { VelocityCorrection::New(correctionOfStrength("2"), drop.liquid); }), {"constant/models", "0 to 1"}));
 }

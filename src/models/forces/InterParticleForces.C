@@ -60,7 +60,7 @@ void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const
     isKept_ = false;
     if (!active()) return;
     tension_->setStep(dt);
-    const bool isLong = semiImplicit_ && semiImplicit_->isNeeded(dt);
+    const bool isLong = semiImplicit_ && semiImplicit_->isNeeded(dt) && walls.constraints().none();
     if (!isLong && !wetting_->accelerates() && walls.constraints().all() && tension_->move(liquid, near, walls, dt)) return;
     acceleration_.resizeDiscarding(liquid.all());
     acceleration_.setZero();

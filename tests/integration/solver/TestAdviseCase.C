@@ -189,7 +189,7 @@ TEST_P(AdviseCase, BadInputIsRefused)
     remove("0/liquid");
     refused("-apply", {"The case has no liquid", "system/fillLiquidDict"});
     write("system/fillLiquidDict", "bodies { drop { type sphere; centre (0 0 0); raduis 1; } }");
-    refused("-apply", {"'radius' is missing"});
+    refused("-apply", {"'raduis'", "did you mean 'radius'"});
 }
 
 }

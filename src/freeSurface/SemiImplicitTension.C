@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "models/forces/SemiImplicitTension.H"
+#include "freeSurface/SemiImplicitTension.H"
 
 #include "device/ForEach.H"
 #include "device/Holds.H"
@@ -29,8 +29,7 @@ struct Begin
         const Vec3 G = surface.gradient[k], f = acceleration[i];
         const scalar slope = norm(G);
         Vec3 n = -1 / fmax(slope, 1e-20f) * Vec3{G.x, G.y, G.z};
-        const bool isFree = slope > 0 && surface.contactAt(k).wall < 0;
-        n.w = isFree ? 2 * plane(surface.depthOf(k)).gradient : -1;
+        n.w = slope > 0 ? 2 * plane(surface.depthOf(k)).gradient : 0;
         normal[k] = n;
         residual[k] = f;
         direction[k] = f;
@@ -65,7 +64,7 @@ struct Iterate
             if (surface.isInside(j)) return;
             const int l = int(surface.place[j]);
             const Vec3 nj = normal[l];
-            if (!(dot(ni, nj) >= 0) || fmin(ni.w, nj.w) < 0) return;            // the other side of a film; at a wall
+            if (!(dot(ni, nj) >= 0)) return;                    // the other side of a film
             const Vec3 mean = ni + nj;
             const scalar weight = -W.g(norm(xi - x[j])) * (ni.w + nj.w) / fmax(squared(mean), 1e-20f);
             sum += weight * dot(mean, di - direction[l]) * mean;
@@ -87,7 +86,6 @@ SemiImplicitTension::SemiImplicitTension(const Liquid& liquid)
     perArea_(liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension) / liquid.restDensity())
 {
     const std::vector<HalfSpaceValues> plane = tabulateHalfSpace(liquid.kernel());
-    plane_.upload(plane);
     // At a surface there are half of the neighbours. The outermost layer lies half a spacing deep, where g is largest.
     const scalar h = std::visit([](const auto& W) { return W.h; }, liquid.kernel());
     const scalar weights = 0.5f * plane.front().drag;           // sum_j V k_ij, all around
@@ -109,6 +107,7 @@ void SemiImplicitTension::apply
     const Liquid& liquid, const Neighbourhood& near, const FreeSurface& surface, scalar dt, Buffer<Vec3>& acceleration
 )
 {
+    if (plane_.size() == 0) plane_.upload(tabulateHalfSpace(liquid.kernel()));
     const int room = surface.particles().indices.size();
     for (Buffer<Vec3>* vector : {&normal_, &residual_, &direction_, &next_}) vector->resizeDiscarding(room);
     const FreeSurfaceView view = surface.view();

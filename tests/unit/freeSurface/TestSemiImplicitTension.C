@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tension in steps that do not resolve the shortest waves: what it leaves alone, what it keeps, and that free liquid at rest stays at rest in such steps.
 
-#include "models/forces/SemiImplicitTension.H"
+#include "freeSurface/SemiImplicitTension.H"
 
 #include "stepping/SubStep.H"
 #include "support/DisorderedBall.H"
