@@ -16,10 +16,10 @@ namespace
 {
 
 // Without liquid at first, or with 5 x 5 x 5 particles above the origin; spacings of 1 mm. Nothing moves but streams.
-class Scene : public LiquidCase
+class SourceScene : public LiquidCase
 {
 public:
-    explicit Scene(const std::string& sources, const std::string& outlets = "", bool filled = false, const CaseText& text = {}) : LiquidCase(text)
+    explicit SourceScene(const std::string& sources, const std::string& outlets = "", bool filled = false, const CaseText& text = {}) : LiquidCase(text)
     {
         folder.write("constant/outlets", outlets);
         folder.write("constant/sources", sources);
@@ -58,7 +58,7 @@ const std::string tap = "tap { type nozzle; mouth (0 0 0.02); direction (0 0 -1)
 // The layers of the stretch at first: four, two supports. Then as many as the flow moves on by spacings: the volume is that of the flow within a layer.
 TEST(Population, ANozzleLetsInWhatItsFlowAsksFor)
 {
-    Scene scene(tap);
+    SourceScene scene(tap);
     EXPECT_EQ(scene.liquid.owned(), 0);
     EXPECT_TRUE(scene.population->mayComeIn());
     for (int k = 0; k < 200; ++k) scene.step(1e-3);
@@ -74,7 +74,7 @@ TEST(Population, ANozzleLetsInWhatItsFlowAsksFor)
 // In the stretch layers are a spacing apart, and all particles move along the axis: roundings are of quanta, 2e-6 spacings each, over 50 steps.
 TEST(Population, WhatIsInANozzleIsALatticeThatMovesRigidly)
 {
-    Scene scene("tap { type nozzle; mouth (0 0 0.02); direction (0 0 -1); radius 2.2e-3; velocity 0.1; }");
+    SourceScene scene("tap { type nozzle; mouth (0 0 0.02); direction (0 0 -1); radius 2.2e-3; velocity 0.1; }");
     for (int k = 0; k < 50; ++k) scene.step(1e-3);
     const auto x = scene.liquid.positions();
     const auto u = scene.liquid.velocity.download();
@@ -92,7 +92,7 @@ TEST(Population, WhatIsInANozzleIsALatticeThatMovesRigidly)
 
 TEST(Population, ATableChangesTheFlowAndARingIsHollow)
 {
-    Scene scene("tap { type nozzle; mouth (0 0 0.02); direction (0 0 -1); radius 4e-3; innerRadius 2e-3; velocity { times (0 0.1 0.2); values (0 0.1 0); } }");
+    SourceScene scene("tap { type nozzle; mouth (0 0 0.02); direction (0 0 -1); radius 4e-3; innerRadius 2e-3; velocity { times (0 0.1 0.2); values (0 0.1 0); } }");
     for (int k = 0; k < 300; ++k) scene.step(1e-3);
     // A triangle of 0.2 s and 0.1 m/s: 10 mm, ten layers, behind three at first and one in between.
     const double layers = 14;
@@ -103,7 +103,7 @@ TEST(Population, ATableChangesTheFlowAndARingIsHollow)
 // The volume is exact to the particle at all times, both ways.
 TEST(Population, ANeedleFeedsAndDrawsToTheParticle)
 {
-    Scene scene("needle { type needle; mouth (0 0 0); direction (0 0 1); radius 2.2e-3; flowRate { times (0 0.01 0.02 1); values (1e-6 1e-6 -1e-6 -1e-6); } }", "", true);
+    SourceScene scene("needle { type needle; mouth (0 0 0); direction (0 0 1); radius 2.2e-3; flowRate { times (0 0.01 0.02 1); values (1e-6 1e-6 -1e-6 -1e-6); } }", "", true);
     double asked = 0;
     for (int k = 0; k < 45; ++k)
     {
@@ -122,11 +122,11 @@ TEST(Population, RainIsAsMuchAsItsRate)
 {
     const std::string shower = "shower { type rain; rate 0.05; corner (0 0 0.1); along (0.02 0 0); across (0 0.02 0); direction (0 0 -1); speed 2; sizes { type oneSize; diameter 3e-3; } seed 7; }";
     const std::string out = "floor { type plane; point (0 0 0); normal (0 0 -1); }";
-    Scene scene(shower, out), again(shower, out);
+    SourceScene scene(shower, out), again(shower, out);
     const Vec3 fall{0, 0, -scalar(2/scene.liquid.units().of(dimensions::velocity))};
     for (int k = 0; k < 20; ++k)
     {
-        for (Scene* each : {&scene, &again})
+        for (SourceScene* each : {&scene, &again})
         {
             each->step(1e-3);
             std::vector<Position> x = each->liquid.position.download();
@@ -148,7 +148,7 @@ TEST(Population, RainIsAsMuchAsItsRate)
 // Outlets take out what sources let in: what is there stays the same, so does the memory, and no number comes twice.
 TEST(Population, FilledAndEnteredLessLeftIsThere)
 {
-    Scene scene(tap, "out { type plane; point (0 0 0.018); normal (0 0 -1); }", true);
+    SourceScene scene(tap, "out { type plane; point (0 0 0.018); normal (0 0 -1); }", true);
     EXPECT_EQ(scene.liquid.owned(), 125);
     std::set<std::uint32_t> known = scene.ids();
     std::size_t memory = 0;
@@ -182,7 +182,7 @@ TEST(Population, FilledAndEnteredLessLeftIsThere)
 // Room grows by a quarter: of 10,000 particles that come in layers of 16, in fewer than 40 steps (1.25^40 = 7,500).
 TEST(Population, MemoryGrowsGeometrically)
 {
-    Scene scene("tap { type nozzle; mouth (0 0 0.02); direction (0 0 -1); radius 2.2e-3; velocity 1; }");
+    SourceScene scene("tap { type nozzle; mouth (0 0 0.02); direction (0 0 -1); radius 2.2e-3; velocity 1; }");
     int growths = 0, room = 0;
     for (int k = 0; k < 650; ++k)
     {
@@ -197,7 +197,7 @@ TEST(Population, MemoryGrowsGeometrically)
 
 TEST(Population, NoneCostsNothing)
 {
-    Scene scene("", "", true);
+    SourceScene scene("", "", true);
     const long launches = deviceCounters().launches;
     scene.step(1e-3);
     EXPECT_FALSE(scene.changed);
@@ -208,7 +208,7 @@ TEST(Population, NoneCostsNothing)
 
 TEST(Population, RefusesWhatItDoesNotKnow)
 {
-    const auto message = [](const std::string& sources, const std::string& outlets = "") { return messageOf([&] { Scene scene(sources, outlets); }); };
+    const auto message = [](const std::string& sources, const std::string& outlets = "") { return messageOf([&] { SourceScene scene(sources, outlets); }); };
     const std::string opening = "mouth (0 0 0.02); direction (0 0 -1); radius 2e-3; ";
     EXPECT_TRUE(holds(message("a { type hose; }"), {"source", "'hose'", "nozzle", "needle", "rain", "constant/sources", "line 1"}));
     EXPECT_TRUE(holds(message("a { type nozzle; " + opening + "}"), {"neither flowRate nor velocity"}));
@@ -231,10 +231,10 @@ TEST(Population, RefusesSourcesInWallsAndStepsThatAreTooLong)
 {
     CaseText text;
     text.walls = floorPlane;
-    Scene inside("a { type nozzle; mouth (0 0 1e-3); direction (0 0 1); radius 2e-3; velocity 1; }", "", false, text);
+    SourceScene inside("a { type nozzle; mouth (0 0 1e-3); direction (0 0 1); radius 2e-3; velocity 1; }", "", false, text);
     Liquid empty(inside.liquid.properties(), Dictionary());
     EXPECT_TRUE(holds(messageOf([&] { inside.population->refuseInWalls(inside.walls, empty); }), {"'a'", "inside of the solid 'floor'"}));
-    Scene above("a { type needle; mouth (0 0 0); direction (0 0 1); radius 2e-3; flowRate 1e-6; }", "", false, text);
+    SourceScene above("a { type needle; mouth (0 0 0); direction (0 0 1); radius 2e-3; flowRate 1e-6; }", "", false, text);
     EXPECT_NO_THROW(above.population->refuseInWalls(above.walls, empty));
     EXPECT_TRUE(holds(messageOf([&] { above.step(1); }), {"'a'", "deltaT of at most"}));
 }
