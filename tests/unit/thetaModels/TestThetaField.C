@@ -137,7 +137,7 @@ TEST(ThetaField, RegionsAreShapesAndTheLastOneCounts)
     EXPECT_TRUE(holds
     (
         messageOf([&] { along({0}, "type regions; theta 9; regions { a { type ball; } }"); }),
-        {"Unknown region model 'ball'", "sphere", "cylinder", "surface"}
+        {"Unknown region model 'ball'", "sphere", "cylinder", "ellipsoid"}
     ));
     EXPECT_TRUE(holds(messageOf([&] { along({0}, "type regions; theta 9; regions { }"); }), {"no region"}));
     EXPECT_TRUE(holds
