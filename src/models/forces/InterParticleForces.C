@@ -60,12 +60,12 @@ void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const
     isKept_ = false;
     if (!active()) return;
     tension_->setStep(dt);
-    const bool isLong = semiImplicit_ && semiImplicit_->isNeeded(dt) && walls.constraints().none();
-    if (!isLong && !wetting_->accelerates() && walls.constraints().all() && tension_->move(liquid, near, walls, dt)) return;
+    if (!wetting_->accelerates() && walls.constraints().all() && tension_->move(liquid, near, walls, dt)) return;
     acceleration_.resizeDiscarding(liquid.all());
     acceleration_.setZero();
     tension_->apply(liquid, near, walls, acceleration_);
     wetting_->apply(liquid, near, walls, acceleration_);
+    const bool isLong = semiImplicit_ && semiImplicit_->isNeeded(dt) && walls.constraints().none();
     if (isLong) semiImplicit_->apply(liquid, near, *tension_->freeSurface(), dt, acceleration_);
     displace(liquid, acceleration_, dt);
     isKept_ = !everyIteration_ && tension_->isInternal() && !walls.constraints().all();
