@@ -3,7 +3,6 @@
 
 #include "device/Algorithms.H"
 #include "device/Atomic.H"
-#include "device/Copy.H"
 #include "device/Holds.H"
 #include "device/KeptMemory.H"
 #include "freeSurface/FindContactLine.H"
@@ -18,32 +17,43 @@ namespace shizuku
 namespace
 {
 
+// Tells the particles at the surface: those that have few neighbours, and those whose neighbours lie on one side. The second is asked where the first leaves
+// a doubt: in close-packed layers a particle at the surface has as many neighbours as one deep inside of other lattices.
+struct FindExposed
+{
+    Span<const Position> x;
+    NeighbourView near;
+    std::uint32_t fewest, most;             // neighbours: at the surface below the one; not from the other on
+    scalar support;
+    scalar leastMean;                       // how far the mean place of the neighbours is away where they lie on one side
+    Span<std::uint8_t> isExposed;
+
+    HOST_DEVICE void operator()(int i, Team team) const
+    {
+        const std::uint32_t count = near.count[i];
+        Team::Vector sum;
+        if (count >= fewest && count < most) near.forEach(i, x[i], x, [&](auto, auto r) { sum += (squared(r) < support * support ? scalar(1) : scalar(0)) * r; }, team);
+        const Vec3 all = team.sum(sum);
+        if (team.first()) isExposed[i] = count < fewest || norm(all) > leastMean * count;
+    }
+};
+
 // Tells the particles near the surface from those deep inside, all around which there is liquid that has liquid all around:
 // the surface is farther than the density's support.
 struct FindSurface
 {
     NeighbourView near;
-    Span<const std::uint32_t> count;        // of neighbours, of ghosts too
-    std::uint32_t leastInside;              // neighbours: fewer have those at the surface
+    Span<const std::uint8_t> isExposed;     // of ghosts too
     Span<std::uint8_t> isNear;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
-        scalar open = count[i] < leastInside ? 1 : 0;
-        near.forEach(i, [&](int j) { if (count[j] < leastInside) open = 1; }, team);
+        scalar open = isExposed[i];
+        near.forEach(i, [&](int j) { if (isExposed[j]) open = 1; }, team);
         open = team.sum(open);
         if (team.first()) isNear[i] = open > 0;
     }
 };
-
-// How many neighbours each particle has, with room for those of ghosts.
-Span<const std::uint32_t> countsOfAll(const Liquid& liquid, Span<const std::uint32_t> ofOwned, Buffer<std::uint32_t>& room)
-{
-    if (liquid.parts().parts() == 1) return ofOwned;
-    room.resizeDiscarding(liquid.all());
-    copyFirst(liquid.owned(), ofOwned, room);
-    return room.span();
-}
 
 // The liquid's part in the colour and its gradient.
 template<class Search>
@@ -143,12 +153,14 @@ std::vector<scalar> tabulateDepths(const HalfSpaceView& plane, scalar shallowest
     return depths;
 }
 
-// 0.7 of what a full neighbourhood holds on the average. A layer of the cubic lattice at a surface has half of it; the next
-// one, 1.5 spacings below, 0.8 and more.
-std::uint32_t leastInside(const Liquid& liquid)
+// Shares of what a full neighbourhood holds on the average. A layer of the cubic lattice at a surface has half of it; the next
+// one, 1.5 spacings below, 0.8 and more. In close-packed layers it is up to 0.82 at the surface, and 1.25 inside.
+constexpr scalar fewestInside = 0.7f, mostExposed = 0.85f;
+
+std::uint32_t neighbours(const Liquid& liquid, scalar share)
 {
     const scalar supports = liquid.support() / liquid.spacing();
-    return std::uint32_t(0.7f * 4.18879f * supports * supports * supports);
+    return std::uint32_t(share * 4.18879f * supports * supports * supports);
 }
 
 }
@@ -209,11 +221,15 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
     if (!active()) return;
     makeRoom();
     if (!extended_) extended_.emplace(*kernel_, walls.contactAngles(kernel_->h));
-    Buffer<std::uint32_t> counts;
-    Buffer<std::uint8_t> isNear(liquid.all());
-    const Span<const std::uint32_t> ofAll = countsOfAll(liquid, near.view().count, counts);
-    const FindSurface findSurface{near.view(), ofAll, leastInside(liquid), isNear.span()};
-    liquid.ghosts().forEachTeam(liquid.owned(), findSurface, {valuesOf(counts)}, {valuesOf(isNear)}, GhostsOf::all);
+    constexpr scalar oneSided = 0.225f;         // of the support; 0.375 for all of a half-space
+    Buffer<std::uint8_t> isExposed(liquid.all()), isNear(liquid.all());
+    forEachTeam(liquid.owned(), FindExposed
+    {
+        liquid.predicted.span(), near.view(), neighbours(liquid, fewestInside), neighbours(liquid, mostExposed), liquid.support(),
+        oneSided * liquid.support(), isExposed.span()
+    });
+    const FindSurface findSurface{near.view(), std::as_const(isExposed).span(), isNear.span()};
+    liquid.ghosts().forEachTeam(liquid.owned(), findSurface, {valuesOf(isExposed)}, {valuesOf(isNear)}, GhostsOf::all);
     particles_.ghosts = liquid.all() - liquid.owned();
     select(isNear, particles_, room_, readCount_);
     asked_ = true;

@@ -112,6 +112,44 @@ TEST(FreeSurface, OfALatticeHalfSpaceIsPlanar)
     }
 }
 
+// Close-packed layers, ABC, whose top one has 27 neighbours within the support: more than particles deep inside of some lattices have. Of particles
+// that are farther than a support from the edges, the top one is near the surface, with a slope within a tenth of the planar one; those of the fifth layer, 3.7 spacings below, are not.
+TEST(FreeSurface, IsFoundAboveClosePackedLayers)
+{
+    LiquidCase drop;
+    drop.surface.require(drop.liquid, 4, 0);
+    const scalar a = std::pow(2.0f, 1.0f / 6), rows = std::sqrt(0.75f) * a, layers = std::sqrt(2.0f / 3) * a;
+    constexpr int n = 14, deep = 9;
+    std::vector<Vec3> points;
+    for (int k = 0; k < deep; ++k)
+    for (int j = -n; j <= n; ++j)
+    for (int i = -n; i <= n; ++i)
+    {
+        const scalar x = a * (scalar(i) + 0.5f * scalar((j + 2 * n) % 2)) + 0.5f * a * scalar(k % 3), y = rows * (scalar(j) + scalar(k % 3) / 3);
+        points.push_back({x, y, -layers * scalar(k)});
+    }
+    drop.place(points);
+    const auto surface = surfaceStates(drop);
+    int top = 0, fifth = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const Vec3 x = points[i];
+        if (std::hypot(x.x, x.y) > 6) continue;
+        if (x.z == 0)
+        {
+            ++top;
+            EXPECT_NEAR(norm(surface[i].gradient), drop.surface.plane()(0.5f * drop.liquid.spacing()).gradient, 0.1f * drop.surface.steepest());
+        }
+        if (std::abs(x.z + 4 * layers) < 0.1f)
+        {
+            ++fifth;
+            EXPECT_EQ(norm(surface[i].gradient), 0);
+        }
+    }
+    EXPECT_GT(top, 50);
+    EXPECT_GT(fifth, 50);
+}
+
 // What stands alone has no surface direction and is at the least depth, half a spacing; what has no liquid near is not deeper.
 TEST(FreeSurface, IsNotLessThanHalfASpacingAway)
 {
