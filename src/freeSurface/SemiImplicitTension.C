@@ -4,6 +4,7 @@
 #include "device/ForEach.H"
 #include "device/Holds.H"
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
@@ -13,31 +14,30 @@ namespace shizuku
 namespace
 {
 
-constexpr scalar resolvedCapillaryCo = 1.4f;
-
 // The first direction is f itself: what differs along the surface by nothing is right from there on.
 struct Begin
 {
     FreeSurfaceView surface;
     HalfSpaceView plane;
-    Span<Vec3> acceleration;                // f, then zero
-    Span<Vec3> normal, residual, direction;
+    Span<const Vec3> normals;
+    Span<scalar> jump;                      // f, then zero: the sum of all directions to come. Deep below the surface there is no force, and f stays
+    Span<Vec3> normal;
+    Span<scalar> residual, direction;
 
     HOST_DEVICE void operator()(int i) const
     {
         const int k = int(surface.place[i]);
-        const Vec3 G = surface.gradient[k], f = acceleration[i];
-        const scalar slope = norm(G);
-        Vec3 n = -1 / fmax(slope, 1e-20f) * Vec3{G.x, G.y, G.z};
-        n.w = slope > 0 ? 2 * plane(surface.depthOf(k)).gradient : 0;
+        Vec3 n = normals[k];
+        n.w = squared(n) > 0 ? 2 * plane(surface.depthOf(k)).gradient : 0;
         normal[k] = n;
+        const scalar f = jump[k];
         residual[k] = f;
         direction[k] = f;
-        acceleration[i] = Vec3{};
+        jump[k] = n.w > 0 ? 0 : f;
     }
 };
 
-// x += d, r -= (1 + K) d, and the next d.
+// J += d, r -= (1 + K) d, and the next d.
 template<class Kernel>
 struct Iterate
 {
@@ -49,31 +49,32 @@ struct Iterate
     Span<const Position> x;
     NeighbourView near;
     FreeSurfaceView surface;
-    Span<const Vec3> normal, direction;
-    Span<Vec3> residual, next;
-    Span<Vec3> acceleration;
+    Span<const Vec3> normal;
+    Span<const scalar> direction;
+    Span<scalar> residual, next;
+    Span<scalar> jump;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const int k = int(surface.place[i]);
         const Position xi = x[i];
-        const Vec3 ni = normal[k], di = direction[k];
-        Vec3 sum;
+        const Vec3 ni = normal[k];
+        const scalar di = direction[k];
+        if (ni.w == 0) return;
+        scalar sum = 0;
         near.forEach(i, [&](int j)
         {
             if (surface.isInside(j)) return;
             const int l = int(surface.place[j]);
             const Vec3 nj = normal[l];
-            if (!(dot(ni, nj) >= 0)) return;                    // the other side of a film
-            const Vec3 mean = ni + nj;
-            const scalar weight = -W.g(norm(xi - x[j])) * (ni.w + nj.w) / fmax(squared(mean), 1e-20f);
-            sum += weight * dot(mean, di - direction[l]) * mean;
+            if (nj.w == 0 || !(dot(ni, nj) >= 0)) return;           // the other side of a film
+            sum += W.g(norm(xi - x[j])) * (ni.w + nj.w) * (direction[l] - di);
         }, team);
         sum = team.sum(sum);
         if (!team.first()) return;
-        const Vec3 r = residual[k] - di - stiffness * sum;
+        const scalar r = residual[k] - di - stiffness * sum;
         residual[k] = r;
-        acceleration[i] += di;
+        jump[k] += di;
         next[k] = ofDirection * di + ofResidual * r;
     }
 };
@@ -82,7 +83,7 @@ struct Iterate
 
 SemiImplicitTension::SemiImplicitTension(const Liquid& liquid)
 :
-    longest_(resolvedCapillaryCo * liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time)),
+    capillaryStep_(liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time)),
     perArea_(liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension) / liquid.restDensity())
 {
     const std::vector<HalfSpaceValues> plane = tabulateHalfSpace(liquid.kernel());
@@ -102,14 +103,22 @@ int SemiImplicitTension::iterations(scalar dt) const
     return int(std::ceil(std::log(2 / left) / std::log(rate)));
 }
 
-void SemiImplicitTension::apply
+int SemiImplicitTension::parts(scalar dt) const
+{
+    constexpr scalar longest = 2;
+    const scalar steps = dt / (longest * capillaryStep_);
+    return std::max(1, int(std::ceil(steps * steps)));
+}
+
+void SemiImplicitTension::smooth
 (
-    const Liquid& liquid, const Neighbourhood& near, const FreeSurface& surface, scalar dt, Buffer<Vec3>& acceleration
+    const Liquid& liquid, const Neighbourhood& near, const FreeSurface& surface, scalar dt, const Buffer<Vec3>& normals, Buffer<scalar>& jump
 )
 {
     if (plane_.size() == 0) plane_.upload(tabulateHalfSpace(liquid.kernel()));
     const int room = surface.particles().indices.size();
-    for (Buffer<Vec3>* vector : {&normal_, &residual_, &direction_, &next_}) vector->resizeDiscarding(room);
+    normal_.resizeDiscarding(room);
+    for (Buffer<scalar>* vector : {&residual_, &direction_, &next_}) vector->resizeDiscarding(room);
     const FreeSurfaceView view = surface.view();
     const scalar largest = largestEigenvalue(dt), centre = 0.5f * (largest + 1), radius = 0.5f * (largest - 1);
     scalar before = 0;
@@ -119,7 +128,7 @@ void SemiImplicitTension::apply
         {
             forEach(surface.particles(), Begin
             {
-                view, {plane_.span(), W.h}, acceleration.span(), normal_.span(), residual_.span(), direction_.span()
+                view, {plane_.span(), W.h}, normals.span(), jump.span(), normal_.span(), residual_.span(), direction_.span()
             });
             liquid.ghosts().copy({valuesOf(surface.particles(), normal_)}, GhostsOf::lists);
             for (int made = 0; made <= iterations(dt); ++made)
@@ -129,7 +138,7 @@ void SemiImplicitTension::apply
                 forEachTeam(surface.particles(), Iterate<Kernel>
                 {
                     W, stiffness(dt) * liquid.particleVolume(), now * before, (made == 0 ? 1 : 2) * now / radius, liquid.predicted.span(), near.view(), view,
-                    std::as_const(normal_).span(), std::as_const(direction_).span(), residual_.span(), next_.span(), acceleration.span()
+                    std::as_const(normal_).span(), std::as_const(direction_).span(), residual_.span(), next_.span(), jump.span()
                 });
                 direction_.swap(next_);
                 before = now;
@@ -137,7 +146,8 @@ void SemiImplicitTension::apply
         },
         liquid.kernel()
     );
-    for (Buffer<Vec3>* vector : {&normal_, &residual_, &direction_, &next_}) *vector = {};
+    normal_ = {};
+    for (Buffer<scalar>* vector : {&residual_, &direction_, &next_}) *vector = {};
 }
 
 }

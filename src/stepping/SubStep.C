@@ -91,6 +91,7 @@ void SubStep::constrain(scalar dt)
     models_.freeSurface->dropPositions();
     walls_.project(liquid_);
     iterate(liquid_, near_, walls_, *models_.pressure, dt, [&] { return models_.forces.applyInIteration(liquid_, near_, walls_, dt); });
+    models_.forces.finish(liquid_, dt);
 }
 
 void SubStep::update(scalar dt)

@@ -3,6 +3,8 @@
 
 #include "motion/Motion.H"
 
+#include <cmath>
+
 namespace shizuku
 {
 
@@ -23,7 +25,6 @@ InterParticleForces::InterParticleForces(const Dictionary& models, Liquid& liqui
             models.where("forceCoupling"), "A tension of the free surface acts once a step, where the surface was found", "predictor, or a tension by forces of pairs"
         );
     }
-    if (tension_->freeSurface()) semiImplicit_.emplace(liquid);
     // Iterations move particles on, which are looked for in the cells of the search: of these some are seen that were a cell's diagonal farther.
     if (everyIteration_ && reach_ > 0) reach_ += 1.5f * liquid.support();
 }
@@ -35,10 +36,27 @@ void InterParticleForces::applyBeforeIterations(Liquid& liquid, const Neighbourh
 
 bool InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt)
 {
+    if (left_ > 0)
+    {
+        moveOn(liquid, dt, 1);
+        return true;
+    }
     if (!actInIterations()) return false;
     liquid.ghosts().copy(liquid.predicted);
     apply(liquid, near, walls, dt);
     return true;
+}
+
+void InterParticleForces::finish(Liquid& liquid, scalar dt)
+{
+    if (left_ > 0) moveOn(liquid, dt, left_);
+    if (!isKept_) acceleration_ = {};
+}
+
+void InterParticleForces::moveOn(Liquid& liquid, scalar dt, int parts)
+{
+    displace(liquid, acceleration_, std::sqrt(scalar(parts) / scalar(parts_)) * dt);
+    left_ -= parts;
 }
 
 InternalDisplacement InterParticleForces::displacement(scalar dt) const
@@ -60,16 +78,17 @@ void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const
     isKept_ = false;
     if (!active()) return;
     tension_->setStep(dt);
-    if (!wetting_->accelerates() && walls.constraints().all() && tension_->move(liquid, near, walls, dt)) return;
+    parts_ = tension_->parts(dt);
+    left_ = 0;
+    if (parts_ == 1 && !wetting_->accelerates() && walls.constraints().all() && tension_->move(liquid, near, walls, dt)) return;
     acceleration_.resizeDiscarding(liquid.all());
     acceleration_.setZero();
     tension_->apply(liquid, near, walls, acceleration_);
     wetting_->apply(liquid, near, walls, acceleration_);
-    const bool isLong = semiImplicit_ && semiImplicit_->isNeeded(dt) && walls.constraints().none();
-    if (isLong) semiImplicit_->apply(liquid, near, *tension_->freeSurface(), dt, acceleration_);
-    displace(liquid, acceleration_, dt);
+    left_ = parts_;
+    moveOn(liquid, dt, 1);
     isKept_ = !everyIteration_ && tension_->isInternal() && !walls.constraints().all();
-    if (!isKept_) acceleration_ = {};
+    if (!isKept_ && left_ == 0) acceleration_ = {};
 }
 
 }

@@ -24,7 +24,7 @@ HOST_DEVICE void RigidMotion::Sums::add(const Sums& other)
 namespace
 {
 
-constexpr int armBits = 19, wayBits = 32;               // of quanta
+constexpr int armBits = 19, wayBits = 31;               // of quanta
 
 HOST_DEVICE inline std::int64_t arm(std::int64_t place) { return place >> (quanta::fractionBits - armBits); }
 HOST_DEVICE inline Int128 product(std::int64_t a, std::int64_t b) { return Int128(a) * b; }

@@ -36,6 +36,7 @@
 //     laplacePressureCoeffs { support 3.25; }         // of the normals and the curvature, in spacings; at least 1.5 of the kernel's
 
 #include "device/Holds.H"
+#include "freeSurface/SemiImplicitTension.H"
 #include "models/density/OrderStress.H"
 #include "models/surfaceTension/surfaceCurvature/CurvatureTension.H"
 #include "models/surfaceTension/surfaceCurvature/RegressedCurvature.H"
@@ -147,23 +148,80 @@ struct RemoveOrderStress
     }
 };
 
-struct ApplyLaplacePressure
+// sigma kappa R: the jump of pressure that a particle's force is of. more: R - 1.
+HOST_DEVICE inline scalar withDisorder(scalar jump, scalar more)
 {
-    static constexpr scalar farthest = 0.3f;        // R from 1
+    constexpr scalar farthest = 0.3f;
+    const scalar bounded = fmin(fmax(more, -farthest), farthest);
+    return jump * (jump < 0 ? 1 - bounded : 1 + bounded);
+}
+
+// The force of the jump.
+struct Push
+{
+    scalar restDensity;
+    FreeSurfaceView surface;
+    Span<const KernelDeficiency> deficiency;
+    Span<Vec3> gradient;                    // with w = the lowest pressure
+    ForceTarget target;
+
+    HOST_DEVICE void operator()(int i, scalar jump, scalar more) const { push(i, jump, withDisorder(jump, more)); }
+
+    // lowestOf: the jump that says how far the pressure may fall.
+    HOST_DEVICE void push(int i, scalar lowestOf, scalar jump) const
+    {
+        const int k = int(surface.place[i]);
+        const Vec3 G = gradient[k];
+        gradient[k].w = lowestBehind(lowestOf, G.w);
+        target.add(i, 2 * jump * deficiency[k].planar / (restDensity * norm(G)) * G);
+    }
+};
+
+// Of long steps: notes the jump, for SemiImplicitTension. R feeds waves that such steps do not resolve, and they follow less of it.
+struct NoteJump
+{
+    static constexpr scalar calm = 0.1f;    // R - 1 in calm drops
+
+    scalar resolved;                        // t_c/dt
+    FreeSurfaceView surface;
+    Span<scalar> noted;
+
+    HOST_DEVICE void operator()(int i, scalar jump, scalar more) const
+    {
+        noted[surface.place[i]] = withDisorder(jump, calm + resolved * (more - calm));
+    }
+};
+
+struct PushByNoted
+{
+    Span<const Vec3> normal;
+    Span<const scalar> jump;
+    Push push;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        const int k = int(push.surface.place[i]);
+        if (squared(normal[k]) > 0) push.push(i, jump[k], jump[k]);
+    }
+};
+
+// Take: Push or NoteJump.
+template<class Take>
+struct FindJump
+{
     // Of a film at a wall, the density over a planar surface's below which it pulls nothing on, and from which it does wholly.
     static constexpr scalar torn = 0.8f, whole = 0.95f;
     // Depths by which particles differ count for R until nothing is left of them at this, in spacings.
     static constexpr scalar unlike = 5.5f;
 
     WendlandC2 W;
-    scalar sigma, spacing, restDensity;
+    scalar sigma, spacing;
     scalar followed;                                // share of what single curvatures differ by from their mean
     NeighbourView near;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                        // with w = b
     Span<const KernelDeficiency> deficiency;
-    Span<Vec3> gradient;                            // with w = the lowest pressure
-    ForceTarget target;
+    Take take;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
@@ -199,11 +257,7 @@ struct ApplyLaplacePressure
         const scalar mean = weight > 0 ? kappas / weight : own;
         scalar jump = sigma * steadied(mean + followed * (own - mean), mean);
         if (jump < 0) jump *= fmin(fmax((filled / all - torn) / (whole - torn), 0), 1);
-        const Vec3 G = gradient[k];
-        gradient[k].w = lowestBehind(jump, G.w);
-        const scalar more = fmin(fmax(disorder / fmax(planar, 1e-20f), -farthest), farthest);
-        const scalar share = deficiency[k].planar * (jump < 0 ? 1 - more : 1 + more);
-        target.add(i, 2 * jump * share / (restDensity * norm(G)) * G);
+        take(i, jump, disorder / fmax(planar, 1e-20f));
     }
 };
 
@@ -213,7 +267,8 @@ public:
     LaplacePressure(const Dictionary& coeffs, Liquid& liquid, const Walls&, FreeSurface& surface)
     :
         CurvatureTension(coeffs, liquid, surface),
-        plane_(tabulateHalfSpace(liquid.kernel()))
+        plane_(tabulateHalfSpace(liquid.kernel())),
+        semiImplicit_(liquid)
     {
         // Half of what close-packed layers lie apart, 2^(1/6) sqrt(2/3) spacings: there is where the pressure holds the first layer of disordered liquid.
         constexpr scalar halfOfLayers = 0.458f;
@@ -222,6 +277,7 @@ public:
     }
 
     bool seesGhosts() const override { return true; }
+    int parts(scalar dt) const override { return semiImplicit_.parts(dt); }
 
 private:
     void measure(const Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
@@ -266,12 +322,26 @@ private:
         else forEach(surface_.particles(), addCurvature);
         taken_ = {};
         liquid.ghosts().copy({valuesOf(surface_.particles(), deficiency_)}, GhostsOf::lists);
-        forEachTeam(surface_.particles(), ApplyLaplacePressure
+        const Push push{liquid.restDensity(), view, std::as_const(deficiency_).span(), surface_.gradient(), target};
+        if (!semiImplicit_.isNeeded(step())) findJump(liquid, near, field, push);
+        else
         {
-            surface_.kernel(), sigma_, liquid.spacing(), liquid.restDensity(), followed(), near.view(), view, field.normal.span(), deficiency_.span(),
-            surface_.gradient(), target
-        });
+            Buffer<scalar> jump(surface_.particles().indices.size());
+            jump.setZero();
+            findJump(liquid, near, field, NoteJump{semiImplicit_.resolved(step()), view, jump.span()});
+            semiImplicit_.smooth(liquid, near, surface_, step(), field.normal, jump);
+            forEach(surface_.particles(), PushByNoted{std::as_const(field.normal).span(), std::as_const(jump).span(), push});
+        }
         deficiency_ = {};
+    }
+
+    template<class Take>
+    void findJump(const Liquid& liquid, const Neighbourhood& near, const CurvatureField& field, const Take& take)
+    {
+        forEachTeam(surface_.particles(), FindJump<Take>
+        {
+            surface_.kernel(), sigma_, liquid.spacing(), followed(), near.view(), surface_.view(), field.normal.span(), std::as_const(deficiency_).span(), take
+        });
     }
 
     template<class Stress>
@@ -296,6 +366,7 @@ private:
     std::optional<ExtendedLiquid> extended_;        // of the density's kernel
     Buffer<KernelDeficiency> deficiency_;           // while the force is found, as t
     Buffer<scalar> taken_;
+    SemiImplicitTension semiImplicit_;      // in steps longer than the capillary one
 };
 
 const SurfaceTensionTable::Add<LaplacePressure> registered{"laplacePressure", "Laplace's pressure on the free surface"};
