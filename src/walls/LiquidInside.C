@@ -34,7 +34,7 @@ struct InsideSurface
     {
         for (int a = 0; a < surfaces.count; ++a)
         {
-            if (surfaces.surface[a](placeOf(position[i])).distance < nearest) return {i, a};
+            if (surfaces[a](placeOf(position[i])).distance < nearest) return {i, a};
         }
         return {};
     }

@@ -73,22 +73,15 @@ Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liqu
         const double unit = liquid.units().length;
         const auto faces = surface.type == AnalyticSurface::Type::box
             ? facesOf(surface, unit) : std::vector{curvedOrPlane(surface, unit)};
-        if (surfaces_.count + int(faces.size()) > WallSurfacesView::most)
-        {
-            throw FatalInputError
-            (
-                dict_.where(surface.name), "Too many analytic walls",
-                "at most " + std::to_string(WallSurfacesView::most) + " surfaces; a box counts as six"
-            );
-        }
         for (const WallSurface& face : faces)
         {
-            surfaces_.surface[surfaces_.count++] = face;
+            analytic_.push_back(face);
             surfaceNames_.push_back(surface.name);
             if (face.isFlat()) constraints_.constrain({scalar(face.direction.x), scalar(face.direction.y), scalar(face.direction.z)});
             else constraints_.constrainAll();
         }
     }
+    giveSurfaces();
     if (surfaces_.count > 0)
     {
         halfSpace_.upload(tabulateHalfSpace(liquid.kernel()));
@@ -119,9 +112,8 @@ bool Walls::oneContactAngle() const
 std::pair<double, double> Walls::contactAngles(scalar reach) const
 {
     double tilt = 0;
-    for (int a = 0; a < surfaces_.count; ++a)
+    for (const WallSurface& surface : analytic_)
     {
-        const WallSurface& surface = surfaces_.surface[a];
         if (!surface.isFlat()) tilt = std::max(tilt, degrees(double(reach) / surface.radius));
     }
     const auto widened = [&](double least, double most)
@@ -184,9 +176,20 @@ void Walls::readLaws(WallAngles& angles) const
 void Walls::useAngles(std::optional<WallAngles> angles)
 {
     angles_ = std::move(angles);
-    for (int a = 0; angles_ && a < surfaces_.count; ++a) surfaces_.surface[a].cosTheta = cosine(angles_->surfaces[a]);
+    for (int a = 0; angles_ && a < surfaces_.count; ++a) analytic_[a].cosTheta = cosine(angles_->surfaces[a]);
+    giveSurfaces();
     giveCosines();
     wetted_ = contactAngles().first < 179.9;
+}
+
+// To kernels.
+void Walls::giveSurfaces()
+{
+    surfaces_.count = int(analytic_.size());
+    const auto few = analytic_.begin() + std::min(surfaces_.count, WallSurfacesView::few);
+    std::copy(analytic_.begin(), few, surfaces_.surface);
+    beyond_.upload(std::vector<WallSurface>(few, analytic_.end()));
+    surfaces_.beyond = beyond_.span();
 }
 
 // To the solid particles.

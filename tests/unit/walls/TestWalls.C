@@ -316,15 +316,58 @@ TEST(Walls, CountABoxAsSixSurfaces)
     scalar nearest = 1e9f, sum = 0;
     for (int a = 0; a < view.count; ++a)
     {
-        nearest = std::min(nearest, view.surface[a](inside).distance * unit);
-        sum += view.surface[a](inside).distance * unit;
+        nearest = std::min(nearest, view[a](inside).distance * unit);
+        sum += view[a](inside).distance * unit;
     }
     EXPECT_NEAR(nearest, 0.5f, 1e-6);
     EXPECT_NEAR(sum, 6, 1e-5);          // the box's three edges together
-    const std::string twoBoxes = "a { type box; min (0 0 0); max (1 1 1); } b { type box; min (0 0 0); max (1 1 1); }";
-    EXPECT_EQ(refusalOf({.walls = twoBoxes}), "no error");
-    EXPECT_TRUE(holds(refusalOf({.walls = twoBoxes + "c { type plane; point (0 0 0); normal (0 0 1); }"}),
-                      {"constant/walls", "at most 12"}));
+}
+
+namespace
+{
+
+struct DensityOf
+{
+    WallView walls;
+    Span<const Position> at;
+    Span<scalar> sum;
+    Span<int> near;
+
+    HOST_DEVICE void operator()(int i) const
+    {
+        sum[i] = walls.ofSurfaces(i, at[i]).value;
+        near[i] = 0;
+        walls.forEachContact(i, at[i], 1e9f, [&](int a, const WallContact&) { near[i] += a + 1; });
+    }
+};
+
+// A floor listed behind `others` planes that are too far away to act.
+CaseText floorBehind(int others)
+{
+    std::string walls;
+    for (int a = 0; a < others; ++a) walls += "far" + std::to_string(a) + " { type plane; point (" + std::to_string(-1 - a) + " 0 0); normal (1 0 0); }\n";
+    return {.walls = walls + "floor { type plane; point (0 0 0); normal (0 0 1); }"};
+}
+
+}
+
+// Surfaces beyond the kernel's arguments act like the first twelve. The floor is the last one.
+TEST(Walls, AreAnyNumberOfSurfaces)
+{
+    std::vector<std::vector<scalar>> densities;
+    for (const int others : {0, WallSurfacesView::few - 1, WallSurfacesView::few, 40})
+    {
+        LiquidCase drop(floorBehind(others));
+        drop.place({{0, 0, 0.5f}, {0, 0, 1}, {2, 0, 1.5f}});
+        ASSERT_EQ(drop.walls.surfaces(), others + 1);
+        Buffer<scalar> sum(3);
+        Buffer<int> near(3);
+        forEach(3, DensityOf{drop.walls.view(drop.liquid), drop.liquid.predicted.span(), sum.span(), near.span()});
+        densities.push_back(sum.download());
+        EXPECT_EQ(densities.back(), densities.front()) << others;
+        EXPECT_EQ(near.download(), std::vector<int>(3, (others + 1) * (others + 2) / 2)) << others;      // each surface once
+    }
+    EXPECT_GT(densities.front()[0], densities.front()[1]);
 }
 
 TEST(Walls, RefuseWhatIsMissing)
