@@ -36,7 +36,8 @@ foreach(folder IN LISTS folders)
 endforeach()
 
 install(PROGRAMS bin/RunFunctions bin/plotCase bin/runTutorials DESTINATION bin COMPONENT shizuku)
-install(FILES etc/bashrc etc/bashCompletion DESTINATION etc COMPONENT shizuku)
+install(FILES etc/bashrc DESTINATION etc COMPONENT shizuku)
+install(DIRECTORY etc/completion DESTINATION etc COMPONENT shizuku)
 install(DIRECTORY etc/caseDefaults etc/advice DESTINATION etc COMPONENT shizuku)
 install(DIRECTORY tutorials DESTINATION . COMPONENT shizuku USE_SOURCE_PERMISSIONS
     # What a tutorial computes when it is run in its place (.gitignore).
