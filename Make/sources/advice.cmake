@@ -19,4 +19,5 @@ set(SHIZUKU_ADVICE_SOURCES
     advice/rules/Tension.C
     advice/rules/TimeStep.C
     advice/rules/Viscosity.C
+    advice/rules/KnownFaults.C
 )

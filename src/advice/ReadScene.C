@@ -9,6 +9,7 @@
 #include "caseFiles/VectorField.H"
 #include "core/paths/Existence.H"
 #include "core/time/Time.H"
+#include "drops/KnownFaults.H"
 #include "meshes/Bounds.H"
 #include "meshes/NearestPoint.H"
 #include "meshes/ObjFile.H"
@@ -153,14 +154,10 @@ std::optional<Footing> footingOf
 class Gaps
 {
 public:
-    Gaps(const fs::path& path, const std::vector<AnalyticSurface>& analytic, const std::vector<SceneWall>& walls)
-    : analytic_(analytic), walls_(walls)
+    Gaps(const std::vector<Vector3>& solid, const std::vector<AnalyticSurface>& analytic, const std::vector<SceneWall>& walls)
+    : analytic_(analytic), walls_(walls), solid_(solid)
     {
-        if (!haveSolidParticles(path)) return;
-        const std::vector<Vector3> solid = readSolidParticles(path).positions;
-        if (solid.empty()) return;
-        solid_ = solid;
-        nearest_ = std::make_unique<NearestPoint>(solid_);
+        if (!solid_.empty()) nearest_ = std::make_unique<NearestPoint>(solid_);
     }
 
     double of(const SeparateBody& body, const std::vector<Vector3>& positions, double spacing) const
@@ -183,7 +180,7 @@ public:
 private:
     const std::vector<AnalyticSurface>& analytic_;
     const std::vector<SceneWall>& walls_;
-    std::vector<Vector3> solid_;
+    const std::vector<Vector3>& solid_;
     std::unique_ptr<NearestPoint> nearest_;
 };
 
@@ -224,7 +221,10 @@ Scene Scene::read(const fs::path& path, const fs::path& filled, const StoredStud
     const std::vector<AnalyticSurface> analytic = readAnalyticSurfaces(Dictionary::read(path/"constant/walls"));
     readWalls(scene, path, analytic, centroidOf(bodies.front(), positions));
 
-    const Gaps gaps(path, analytic, scene.walls);
+    const SolidParticles solid = haveSolidParticles(path) ? readSolidParticles(path) : SolidParticles();
+    for (const Suspect& fault : knownFaults(path, solid, analytic, positions, scene.spacing)) scene.faults.push_back(fault.text);
+
+    const Gaps gaps(solid.positions, analytic, scene.walls);
     for (const SeparateBody& body : bodies)
     {
         const double gap = gaps.of(body, positions, scene.spacing);

@@ -5,6 +5,7 @@
 #include "caseFiles/SampledWall.H"
 #include "caseFiles/SolidParticles.H"
 #include "core/arguments/runApplication.H"
+#include "drops/KnownFaults.H"
 #include "drops/MotionWarnings.H"
 #include "drops/SuspectNumbers.H"
 #include "parallel/AllParts.H"
@@ -53,33 +54,42 @@ std::vector<Vector3> velocitiesOf(const Liquid& liquid)
     return gatherListsAtFirst(liquid.parts(), velocities);
 }
 
-// In part 0. None of liquid so large that the host of one part would take seconds and gigabytes for them: checkCase looks at any.
-std::vector<SeparateBody> bodiesAtStart(const FlowView& flow, const Liquid& liquid)
+struct LiquidAtStart
+{
+    std::vector<Vector3> positions;
+    std::vector<SeparateBody> bodies;
+};
+
+// In part 0. Empty where there is so much liquid that the host of one part would take seconds and gigabytes for it: checkCase looks at any.
+LiquidAtStart liquidAtStart(const FlowView& flow, const Liquid& liquid)
 {
     constexpr int most = 2000000;                           // particles
     if (flow.particles() > most) return {};
     const std::vector<Vector3> positions = positionsOf(liquid), velocities = velocitiesOf(liquid);
     if (liquid.parts().part() > 0) return {};
-    return separateBodies(positions, velocities, flow.properties().spacing);
+    return {positions, separateBodies(positions, velocities, flow.properties().spacing)};
 }
 
 // Of many solid particles none are read once more for it: checkCase looks at any.
-void warnOfPlaces(const FlowView& flow, const std::vector<SeparateBody>& bodies)
+void warnOfPlaces(const FlowView& flow, const LiquidAtStart& start)
 {
     constexpr int most = 200000;                            // solid particles
     const std::filesystem::path& path = flow.time.casePath();
     const int particles = flow.walls.particles();
     if (particles > most) return;
-    const std::vector<Vector3> solid = particles > 0 ? readSolidParticles(path).positions : std::vector<Vector3>();
-    warnOf(suspectPlaces(path, bodies, readAnalyticSurfaces(Dictionary::read(path / "constant/walls")), solid));
+    const SolidParticles solid = particles > 0 ? readSolidParticles(path) : SolidParticles();
+    const std::vector<AnalyticSurface> surfaces = readAnalyticSurfaces(Dictionary::read(path / "constant/walls"));
+    warnOf(suspectPlaces(path, start.bodies, surfaces, solid.positions));
+    warnOf(knownFaults(path, solid, surfaces, start.positions, flow.properties().spacing));
 }
 
 void warnOfStart(const FlowView& flow, const Liquid& liquid)
 {
-    const std::vector<SeparateBody> bodies = bodiesAtStart(flow, liquid);
+    const LiquidAtStart start = liquidAtStart(flow, liquid);
+    const std::vector<SeparateBody>& bodies = start.bodies;
     if (liquid.parts().part() > 0) return;
     warnOf(suspectEntries(flow.time.casePath()));
-    warnOfPlaces(flow, bodies);
+    warnOfPlaces(flow, start);
     const LiquidProperties& p = flow.properties();
     std::vector<std::string> warnings = resolutionWarnings(bodies, p.spacing);
     if (const std::string text = flatteningWarning(flow); !text.empty()) warnings.push_back(text);

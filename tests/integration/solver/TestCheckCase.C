@@ -227,6 +227,15 @@ TEST_P(CheckCase, ATensionInAnotherUnitIsAskedAbout)
     EXPECT_EQ(log.find(text), log.rfind(text)) << log;
 }
 
+// The block's edge is half a spacing from two sides of the box.
+TEST_P(CheckCase, KnownFaultsAreSaidByTheSolverToo)
+{
+    write("constant/walls", "floor { type particles; surface \"floor.stl\"; }\nside { type box; min (-3.5e-3 -3.5e-3 -0.02); max (0.02 0.02 0.02); }\n");
+    const std::string text = "The liquid stands in the vertical edges of the box 'side'. Known fault";
+    EXPECT_TRUE(holds(check().text, {"*Warning: " + text}));
+    EXPECT_TRUE(holds(solve().text, {"--> WARNING: " + text, "constant/walls at line 2"}));
+}
+
 TEST_P(CheckCase, UtilitiesDictionariesAndSteps)
 {
     write("system/fillLiquidDict", "bodies { drop { type sphere; centre (0 0 0); raduis 1; } }");

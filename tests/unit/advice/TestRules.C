@@ -99,6 +99,15 @@ TEST_F(RuleTest, TensionStopsWhatSpreads)
     EXPECT_EQ(changes(ask("tension", effect*(1 + close))), "surfaceTension=none wetting=none");
 }
 
+TEST_F(RuleTest, KnownFaultsAreToldAndChangeNothing)
+{
+    EXPECT_EQ(changes(ask("knownFaults", 0.05)), "no advice");
+    scene_.faults = {"one", "two"};
+    const auto advice = ask("knownFaults", 0.05);
+    EXPECT_EQ(changes(advice), "");
+    EXPECT_EQ(advice->reason, "one\n    two");
+}
+
 // A hemisphere under little gravity is lower by Bo (ln(2)/3 - 1/12), Bo = (R/l)^2: the perturbed Young-Laplace equation,
 // (1 - x^2) e')' + 2 e = Bo (x - 2/3 + 2 k), x = cos(phi), e'(0) = 0 and no change of the volume, has
 // e = Bo (k - x ln(1 + x)/3), k = 1/12. The next order is of Bo^2, some percent of it here.

@@ -2,6 +2,7 @@
 #include "LiquidReport.H"
 
 #include "caseFiles/SolidParticles.H"
+#include "drops/KnownFaults.H"
 #include "drops/MotionWarnings.H"
 #include "drops/SuspectNumbers.H"
 #include "meshes/ConnectedPoints.H"
@@ -69,9 +70,10 @@ void reportLiquid(const std::filesystem::path& casePath, const Liquid& liquid, c
     for (const std::string& warning : resolutionWarnings(bodies, p.spacing)) findings.warn(warning);
     findings.attempt([&]
     {
-        const std::vector<Vector3> solid = haveSolidParticles(casePath) ? readSolidParticles(casePath).positions : std::vector<Vector3>();
+        const SolidParticles solid = haveSolidParticles(casePath) ? readSolidParticles(casePath) : SolidParticles();
         const auto walls = readAnalyticSurfaces(Dictionary::read(casePath / "constant/walls"));
-        for (const Suspect& suspect : suspectPlaces(casePath, bodies, walls, solid)) findings.warn(suspect.text);
+        for (const Suspect& suspect : suspectPlaces(casePath, bodies, walls, solid.positions)) findings.warn(suspect.text);
+        for (const Suspect& suspect : knownFaults(casePath, solid, walls, positions, p.spacing)) findings.warn(suspect.text);
     });
 }
 

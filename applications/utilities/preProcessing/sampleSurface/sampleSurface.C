@@ -6,6 +6,7 @@
 #include "core/arguments/runApplication.H"
 #include "core/dictionary/CalcExpression.H"
 #include "core/time/Controls.H"
+#include "drops/KnownFaults.H"
 #include "sampling/SeedMethod.H"
 #include "sampling/SurfaceSampler.H"
 
@@ -19,7 +20,7 @@ namespace
 
 const ApplicationInfo info
 {
-    "sampleSurface", "Put a layer of solid particles onto the surfaces of the walls (constant/triSurface to constant/solid).",
+    "sampleSurface", "Cover the surfaces of the walls with solid particles (constant/triSurface to constant/solid).",
     {}
 };
 
@@ -82,6 +83,15 @@ void report(const std::string& wall, const LayerQuality& quality, double spacing
         << "    density variation  " << 100*quality.densityVariation << " %\n";
 }
 
+// Most scenes have no liquid on both sides of them: checkCase and the solver warn of those that have.
+void reportSharpPlaces(const SolidParticles& layer, double spacing)
+{
+    const std::string places = describeSharpPlaces(layer, spacing);
+    if (places.empty()) return;
+    std::cout << "    sharp edges, grooves " << places << "\n"
+              << "                       Where liquid surrounds them, round them by two spacings: they would drive a flow that does not stop (doc/guide/limits.md)\n";
+}
+
 // Contact angles are given by the name of a patch, so a name must mean one patch.
 void refuseSharedPatches(const SolidParticles& solid, const SolidParticles& added, const SampledWall& wall)
 {
@@ -113,6 +123,7 @@ void run(const Arguments& args)
         const RepairedSurface surface = loadSurface(wall, parameters.spacing);
         const SampledSurface sampled = sampleSurface(surface.surface, parameters, "Sampling " + wall.file.filename().string());
         report(wall.name, sampled.quality, parameters.spacing);
+        reportSharpPlaces(sampled.particles, parameters.spacing);
         refuseSharedPatches(solid, sampled.particles, wall);
         solid.append(sampled.particles);
         solid.marks.push_back(SurfaceMark::of(wall));
