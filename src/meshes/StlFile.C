@@ -45,7 +45,7 @@ public:
     {
         while (!rest_.empty() && std::isspace(static_cast<unsigned char>(rest_.front())))
         {
-            if (rest_.front() == '\n')
+            if (isLineEnd())
             {
                 if (onThisLine) return {};
                 ++line_;
@@ -62,6 +62,9 @@ public:
     int line() const { return line_; }
 
 private:
+    // Of a carriage return and a line feed the second one.
+    bool isLineEnd() const { return rest_.front() == '\n' || (rest_.front() == '\r' && !rest_.starts_with("\r\n")); }
+
     std::string_view rest_;
     int line_ = 1;
 };
@@ -78,7 +81,7 @@ public:
     {
         PatchedSurface surface;
         int patch = -1;                         // of the solid that is open
-        for (std::string_view word = words_.next(); !word.empty(); word = words_.next())
+        for (std::string word = keyword(); !word.empty(); word = keyword())
         {
             if (iequals(word, "solid"))          // keywords come in any case
             {
@@ -143,10 +146,17 @@ private:
         return value;
     }
 
-    void expect(std::string_view keyword)
+    // Some programs write the end of a block as two words, as in "end loop".
+    std::string keyword()
     {
-        const std::string_view word = words_.next();
-        if (!iequals(word, keyword)) fail(word, keyword);
+        const std::string word(words_.next());
+        return iequals(word, "end") ? word + std::string(words_.next()) : word;
+    }
+
+    void expect(std::string_view expected)
+    {
+        const std::string word = keyword();
+        if (!iequals(word, expected)) fail(word, expected);
     }
 
     [[noreturn]] void fail(std::string_view word, std::string_view expected) const

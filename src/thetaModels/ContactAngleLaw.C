@@ -18,20 +18,17 @@ double middle(double receding, double advancing)
     return degrees(std::acos(0.5*(std::cos(radians(receding)) + std::cos(radians(advancing)))));
 }
 
-// Words of OpenFOAM's contact angles.
+// Contact angles of OpenFOAM and of its extensions: contactAngle, constantAlphaContactAngle, dynamicKistlerAlphaContactAngle.
 void refuseForeignTypes(const Dictionary& dict)
 {
     if (!dict.found("type")) return;
     const auto type = dict.lookup<std::string>("type");
-    const bool constant = type == "constantAlphaContactAngle" || type == "alphaContactAngle";
-    const bool dynamic = type == "dynamicAlphaContactAngle" || type == "timeVaryingAlphaContactAngle" || type == "temperatureDependentAlphaContactAngle";
-    if (!constant && !dynamic) return;
-    throw FatalInputError
-    (
-        dict.where("type"), "'" + type + "' of " + dict.name() + " is a boundary condition of OpenFOAM",
-        constant ? "theta 60;      // degrees, inside the liquid; theta0 there"
-                 : "law dynamic; theta0 90; thetaAdv 110; thetaRec 70; uTheta 1;      // degrees inside the liquid, m/s; thetaA and thetaR there"
-    );
+    if (type != "contactAngle" && !type.ends_with("ContactAngle")) return;
+    const auto has = [&](const char* word) { return type.find(word) != std::string::npos; };
+    const char* const expected = has("istler") ? "law kistler; theta0 60;      // degrees, inside the liquid"
+        : has("dynamic") ? "law dynamic; theta0 90; thetaAdv 110; thetaRec 70; uTheta 1;      // degrees inside the liquid, m/s; thetaA and thetaR there"
+        : "theta 60;      // degrees, inside the liquid; theta0 there";
+    throw FatalInputError(dict.where("type"), "'" + type + "' of " + dict.name() + " is a boundary condition of OpenFOAM", expected);
 }
 
 }

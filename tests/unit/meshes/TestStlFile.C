@@ -65,6 +65,22 @@ TEST(StlFile, KeywordsInUpperCaseAndAByteOrderMarkAreRead)
     EXPECT_DOUBLE_EQ(surface.mesh.volume(), 8);
 }
 
+TEST(StlFile, EndsOfTwoWordsAndLinesOfCarriageReturnsAreRead)
+{
+    const ScratchFolder folder;
+    std::string text = stlText(cube(2), "box");
+    for (const std::string block : {"loop", "facet", "solid"})
+    {
+        for (std::size_t at = text.find("end" + block); at != std::string::npos; at = text.find("end" + block, at + 1)) text.insert(at + 3, " ");
+    }
+    ASSERT_NE(text.find("end solid"), std::string::npos);
+    EXPECT_DOUBLE_EQ(readStl(folder.write("a.stl", text), "wall").mesh.volume(), 8);
+    std::replace(text.begin(), text.end(), '\n', '\r');
+    const auto surface = readStl(folder.write("b.stl", text), "wall");
+    EXPECT_EQ(surface.patches, std::vector<std::string>{"box"});
+    EXPECT_DOUBLE_EQ(surface.mesh.volume(), 8);
+}
+
 TEST(StlFile, BadFilesAreRefused)
 {
     const ScratchFolder folder;

@@ -103,7 +103,12 @@ TEST(ContactAngleLaw, BadEntriesAreRefused)
 TEST(ContactAngleLaw, OpenFOAMsWordsAreAnsweredWithTheLaw)
 {
     EXPECT_TRUE(holds(refusal("type dynamicAlphaContactAngle; theta0 90; uTheta 1; thetaA 70; thetaR 110;"), {"OpenFOAM", "law dynamic", "thetaAdv"}));
-    EXPECT_TRUE(holds(refusal("type constantAlphaContactAngle; theta0 90;"), {"OpenFOAM", "theta 60"}));
+    for (const std::string type : {"constantAlphaContactAngle", "alphaContactAngle", "temperatureDependentAlphaContactAngle"})
+    {
+        EXPECT_TRUE(holds(refusal("type " + type + "; theta0 90;"), {"OpenFOAM", "theta 60"}));
+    }
+    EXPECT_TRUE(holds(refusal("type contactAngle; contactAngle { type constant; theta0 60; }"), {"OpenFOAM", "theta 60"}));
+    EXPECT_TRUE(holds(refusal("type dynamicKistlerAlphaContactAngle; theta0 60;"), {"OpenFOAM", "law kistler; theta0 60"}));
 }
 
 }
