@@ -16,9 +16,8 @@ std::string slipReport(const Dictionary& models, double spacing)
     if (!coeffs.lookupOr("noSlip", true)) return {};
     const double given = coeffs.lookupDimensionedOr("slipLength", dimensions::length, usualSlipLength);
     std::ostringstream text;
-    text << "Contact lines slip over ";
-    if (given > 0) text << given << " m, slipLength" << (given < spacing ? "; what lies between it and a spacing holds them as a drag" : "");
-    else text << "up to a spacing, " << spacing << " m; a slipLength above 0 in newtonianCoeffs would be the liquid's own";
+    if (given > 0) text << "Slip length " << given << " m (slipLength)" << (given < spacing ? ", below the spacing: the drag on contact lines is modelled" : "");
+    else text << "Contact lines slip freely, over up to a spacing of " << spacing << " m: set slipLength in newtonianCoeffs to model their drag";
     return text.str();
 }
 
