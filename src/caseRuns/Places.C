@@ -56,8 +56,8 @@ std::vector<Option> placeOptions(int perDevice)
     return
     {
         {"device", "auto|cuda|cpu", "where the cases compute; handed to ./Allrun where it is given", "auto"},
-        {"jobs", "N", "cases at a time (default: the processor's cores; on GPUs -perDevice each)", ""},
-        {"perDevice", "N", "cases at a time on each GPU", std::to_string(perDevice)}
+        {"jobs", "N", "Run N cases at a time (default: one for each core; on GPUs -perDevice for each)", ""},
+        {"perDevice", "N", "Run N cases at a time on each GPU", std::to_string(perDevice)}
     };
 }
 

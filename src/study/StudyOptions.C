@@ -26,11 +26,11 @@ std::vector<Option> studyOptions()
 {
     std::vector<Option> options = placeOptions(1);
     options.push_back({"output", "DIR", "where cases, tables and charts go (default: studies/<name> below $SHIZUKU_RUN or run)", ""});
-    options.push_back({"variant", "NAME", "other choices of the axes, as the study names them", ""});
-    options.push_back({"quick", "", "-variant quick: seconds", ""});
-    options.push_back({"retry", "", "run again what died", ""});
-    options.push_back({"prepare", "", "sample the solids only, to bring them to a machine without CGAL", ""});
-    options.push_back({"draw", "", "run nothing: measure and draw what is there", ""});
+    options.push_back({"variant", "NAME", "Use the choices of this variant of the study", ""});
+    options.push_back({"quick", "", "Use the variant `quick`, which takes seconds", ""});
+    options.push_back({"retry", "", "Run failed cases again", ""});
+    options.push_back({"prepare", "", "Sample the solids only, for a machine without CGAL", ""});
+    options.push_back({"draw", "", "Run nothing; measure and draw the cases that are there", ""});
     return options;
 }
 

@@ -120,17 +120,17 @@ extern "C" int runOnDevice(int argc, char** argv)
     const ApplicationInfo info
     {
         .name = "pbfDroplet",
-        .summary = "Liquid with surface tension on wettable solids, by position based fluids.",
+        .summary = "Compute liquid with surface tension on wettable solids by position based fluids.",
         .options =
         {
             deviceOption(),
             precisionOption(),
             parallelOption("pbfDroplet"),
-            {"dry-run", "", "read and check everything, print memory and cost, run nothing", ""},
-            {"profile", "", "print what each kernel took, per sub-step, at the end", ""},
-            {"noFunctionObjects", "", "leave out the function objects of system/controlDict", ""},
-            {"view", "", "show the run in a browser: serve a page at 127.0.0.1, whose address is printed", ""},
-            {"viewAt", "[ADDRESS:]PORT", "the same, at this port, for a browser elsewhere or ssh -L", ""}
+            {"dry-run", "", "Read and check the case, print memory and cost, run nothing", ""},
+            {"profile", "", "Print the time of each kernel in a sub-step at the end", ""},
+            {"noFunctionObjects", "", "Run without the function objects of system/controlDict", ""},
+            {"view", "", "Show the run in a browser; the address of the page is printed", ""},
+            {"viewAt", "[ADDRESS:]PORT", "The same at this address and port, for another machine or ssh -L", ""}
         },
         .models = modelList
     };

@@ -27,9 +27,9 @@ namespace po = boost::program_options;
 std::vector<Option> allOptions(const ApplicationInfo& info)
 {
     std::vector<Option> options = info.options;
-    options.push_back({"case", "DIR", "Case directory instead of the current folder", ""});
-    if (info.models) options.push_back({"listModels", "", "Print the models that a case may choose, each with a line, and stop", ""});
-    options.push_back({"help", "", "Print this text and stop; so does -h", ""});
+    options.push_back({"case", "DIR", "Case folder (default: the current folder)", ""});
+    if (info.models) options.push_back({"listModels", "", "Print the models that a case may choose and stop", ""});
+    options.push_back({"help", "", "Print this text and stop (also -h)", ""});
     options.push_back({"version", "", "Print the version and stop", ""});
     std::sort
     (

@@ -72,7 +72,7 @@ std::vector<Option> timeSelectionOptions()
     return
     {
         {"latestTime", "", "Only the latest time", ""},
-        {"listTimes", "", "Print the times of the case that are selected, and stop", ""},
+        {"listTimes", "", "Print the selected times and stop", ""},
         {"time", "A[:B]", "Only the time A, or the range A:B, A: or :B; several with commas", ""},
     };
 }

@@ -118,17 +118,17 @@ int main(int argc, char** argv)
     const ApplicationInfo info
     {
         "caseDictionary",
-        "Prints or changes entries of a dictionary file. Without options: the file as it stands. "
+        "Print or change entries of a dictionary file. Without options it prints the file. "
         "Changes keep comments, order and layout.",
         {
-            {"entry", "PATH", "the entry, e.g. floor.theta or solvers/p; printed expanded", ""},
-            {"value", "", "print the value alone", ""},
-            {"keywords", "", "print the keywords of the dictionary or of the entry", ""},
-            {"json", "", "print as JSON", ""},
-            {"expand", "", "print the whole with macros and directives expanded", ""},
-            {"set", "VALUE", "give the entry a new value, e.g. 60 or '{ theta 60; }'", ""},
-            {"add", "VALUE", "add the entry with this value", ""},
-            {"remove", "", "remove the entry", ""}
+            {"entry", "PATH", "The entry, e.g. floor.theta or solvers/p; macros in it are expanded", ""},
+            {"value", "", "Print the value alone", ""},
+            {"keywords", "", "Print the keywords of the dictionary or of the entry", ""},
+            {"json", "", "Print as JSON", ""},
+            {"expand", "", "Print the file with macros and directives expanded", ""},
+            {"set", "VALUE", "Give the entry a new value, e.g. 60 or '{ theta 60; }'", ""},
+            {"add", "VALUE", "Add the entry with this value", ""},
+            {"remove", "", "Remove the entry", ""}
         },
         {"dictionary"},
         false

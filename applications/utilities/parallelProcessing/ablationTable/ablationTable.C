@@ -30,13 +30,13 @@ ApplicationInfo info()
     ApplicationInfo result
     {
         "ablationTable",
-        "Runs the case of a study with each of its models switched off or coarsened in turn, and tabulates the change of "
-        "its answers and of its cost. The same command goes on after an interruption.",
+        "Run the case of a study with one model at a time switched off or coarsened. Tabulate the change of "
+        "answers and cost. The same command continues after an interruption.",
         studyOptions(),
         {"study"},
         false
     };
-    result.options.push_back({"cost", "wallTime|cpuTime", "what is tabulated: processor time where others compute too", "wallTime"});
+    result.options.push_back({"cost", "wallTime|cpuTime", "Cost to tabulate; take cpuTime if other programs use the machine", "wallTime"});
     return result;
 }
 

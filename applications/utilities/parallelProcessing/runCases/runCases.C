@@ -26,11 +26,11 @@ ApplicationInfo info()
     ApplicationInfo result
     {
         "runCases",
-        "Runs many case folders side by side: the Allrun of each, with its output in the case's log.runCases. "
-        "Cases that have finished are left out, so that the same command goes on after an interruption.",
+        "Run the Allrun of many case folders side by side. The output of each goes to its log.runCases. "
+        "Finished cases are skipped, so the same command continues after an interruption.",
         {
-            {"command", "LINE", "run this line of sh in each case instead of ./Allrun", ""},
-            {"mps", "", "let cases compute side by side on a GPU, by NVIDIA's multi-process service, started for as long", ""}
+            {"command", "LINE", "Run this line of sh in each case instead of ./Allrun", ""},
+            {"mps", "", "Share each GPU by NVIDIA's multi-process service, which is started for this run", ""}
         },
         {"cases..."},
         false

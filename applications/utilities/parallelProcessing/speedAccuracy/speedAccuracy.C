@@ -20,13 +20,13 @@ ApplicationInfo info()
     ApplicationInfo result
     {
         "speedAccuracy",
-        "Runs the case of a study over a grid of choices, measures the error and the cost of each run, and draws the one over "
-        "the other with the Pareto front. The same command goes on after an interruption.",
+        "Run the case of a study over a grid of choices. Measure error and cost of each run and draw "
+        "the Pareto front. The same command continues after an interruption.",
         studyOptions(),
         {"study"},
         false
     };
-    result.options.push_back({"cost", "wallTime|cpuTime|particleSteps", "what is drawn, in place of the study's own", ""});
+    result.options.push_back({"cost", "wallTime|cpuTime|particleSteps", "Cost to draw (default: that of the study)", ""});
     return result;
 }
 

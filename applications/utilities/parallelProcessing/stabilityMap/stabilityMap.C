@@ -21,8 +21,8 @@ ApplicationInfo info()
     return
     {
         "stabilityMap",
-        "Runs the case of a study over a grid of choices and maps what became of each run: calm, noisy, wrong, frozen, "
-        "clustered, volume lost, leaked, exploded, not a number, refused. The same command goes on after an interruption.",
+        "Run the case of a study over a grid of choices. Map the outcome of each run: calm, noisy, wrong, frozen, "
+        "clustered, volume lost, leaked, exploded, not a number, refused. The same command continues after an interruption.",
         studyOptions(),
         {"study"},
         false

@@ -19,7 +19,7 @@ namespace
 const ApplicationInfo info
 {
     "compareReference",
-    "Compares a case with reference solutions, as system/compareReferenceDict asks (to postProcessing/compareReference).",
+    "Compare a case with reference solutions (system/compareReferenceDict to postProcessing/compareReference).",
     {}
 };
 

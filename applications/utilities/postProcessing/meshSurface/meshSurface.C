@@ -209,14 +209,14 @@ extern "C" int runOnDevice(int argc, char** argv)
     ApplicationInfo info
     {
         .name = "meshSurface",
-        .summary = "Mesh the liquid's surface by marching cubes.",
+        .summary = "Mesh the surface of the liquid by marching cubes.",
         .options =
         {
             deviceOption(),
             precisionOption(),
             parallelOption("meshSurface"),
-            {"formats", "LIST", "of " + words + ", e.g. \"(ply stl)\"; default: those of system/meshSurfaceDict, or ply", ""},
-            {"repeats", "N", "make each mesh N times more, and print what it takes", "0"}
+            {"formats", "LIST", "File formats, of " + words + ", e.g. \"(ply stl)\" (default: those of system/meshSurfaceDict, or ply)", ""},
+            {"repeats", "N", "Make each mesh N more times and print the time", "0"}
         }
     };
     for (const Option& option : timeSelectionOptions()) info.options.push_back(option);

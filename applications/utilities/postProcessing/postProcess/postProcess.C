@@ -125,12 +125,12 @@ extern "C" int runOnDevice(int argc, char** argv)
     ApplicationInfo info
     {
         .name = "postProcess",
-        .summary = "Measure stored times by function objects: postProcessing/<name>.stored/<first time>.",
+        .summary = "Apply function objects to stored times. Tables go to postProcessing/<name>.stored/<first time>.",
         .options =
         {
             deviceOption(),
             precisionOption(),
-            {"func", "LIST", "names of system/controlDict or types, e.g. \"(drop energy)\"; default: all of system/controlDict", ""}
+            {"func", "LIST", "Names from system/controlDict, or types, e.g. \"(drop energy)\" (default: all of system/controlDict)", ""}
         },
         .models = modelList
     };

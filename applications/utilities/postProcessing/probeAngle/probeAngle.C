@@ -139,11 +139,11 @@ private:
 int main(int argc, char** argv)
 {
     std::vector<Option> options = timeSelectionOptions();
-    options.push_back({"methods", "", "print the angle by each method too: profile, sphere, tangents", ""});
+    options.push_back({"methods", "", "Print the angle by each method: profile, sphere, tangents", ""});
     options.push_back(parallelOption("probeAngle"));
     const ApplicationInfo info
     {
-        "probeAngle", "Measures contact angles, contact radius, height and volume of every drop on a wall.", options
+        "probeAngle", "Measure contact angle, contact radius, height and volume of each drop on a wall.", options
     };
     return runInParts(argc, argv, [&](const Communicator& parts)
     {

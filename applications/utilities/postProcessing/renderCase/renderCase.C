@@ -237,15 +237,15 @@ void render(const Arguments& args)
 int main(int argc, char** argv)
 {
     std::vector<Option> options = timeSelectionOptions();
-    options.push_back({"output", "FILE", "the PNG, of several times one each, FILE_TIME.png; default: <case>/<name of the case>.png", ""});
-    options.push_back({"size", "WxH", "pixels", "1600x1000"});
-    options.push_back({"azimuth", "DEGREES", "walk of the viewer around the liquid, anticlockwise from above", "0"});
-    options.push_back({"centre", "(X Y Z)", "middle of what is seen, m; default: that of the liquid, of all times", ""});
-    options.push_back({"width", "METRES", "of what is seen there, e.g. to compare sizes; default: the liquid fills it, at all times", ""});
-    options.push_back({"view", "side|perspective|above", "level, or looking down slightly or steeply", "perspective"});
+    options.push_back({"output", "FILE", "The PNG; FILE_TIME.png for several times (default: <case>/<name of the case>.png)", ""});
+    options.push_back({"size", "WxH", "Size of the picture in pixels", "1600x1000"});
+    options.push_back({"azimuth", "DEGREES", "Angle of the viewer around the liquid, anticlockwise seen from above", "0"});
+    options.push_back({"centre", "(X Y Z)", "Centre of the picture, m (default: centre of the liquid)", ""});
+    options.push_back({"width", "METRES", "Width of the picture at its centre (default: the liquid of all times fits)", ""});
+    options.push_back({"view", "side|perspective|above", "Look level, down slightly, or down from above", "perspective"});
     return runApplication
     (
         argc, argv,
-        {"renderCase", "Renders the liquid of the latest, or of chosen, times off screen to PNGs.", options}, render
+        {"renderCase", "Render the latest time, or selected times, to PNG files without a display.", options}, render
     );
 }

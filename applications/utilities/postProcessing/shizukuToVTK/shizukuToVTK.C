@@ -198,15 +198,15 @@ private:
 int main(int argc, char** argv)
 {
     std::vector<Option> options = timeSelectionOptions();
-    options.push_back({"fields", "LIST", "fields of the liquid to be converted, e.g. \"(U id)\"; default: all", ""});
+    options.push_back({"fields", "LIST", "Convert these fields of the liquid, e.g. \"(U id)\" (default: all)", ""});
     options.push_back
     ({
         "format", "ascii|binary|appended",
-        "how the numbers stand in the files; appended is the smallest, but not every VTK 9.1 reads it",
+        "Format of the files; appended is the smallest, but some builds of VTK 9.1 cannot read it",
         "binary"
     });
     options.push_back(parallelOption("shizukuToVTK"));
-    const ApplicationInfo info{"shizukuToVTK", "Converts particles, solids and surfaces to VTK files for ParaView.", options};
+    const ApplicationInfo info{"shizukuToVTK", "Convert particles, solids and surfaces to VTK files for ParaView.", options};
     return runInParts(argc, argv, [&](const Communicator& parts)
     {
         return runApplication(argc, argv, info, [&](const Arguments& args) { Conversion(args, parts).run(); });

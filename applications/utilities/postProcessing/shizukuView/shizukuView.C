@@ -74,12 +74,12 @@ void serve(const StoredCase& stored, const Arguments& args)
 int main(int argc, char** argv)
 {
     std::vector<Option> options = timeSelectionOptions();
-    options.push_back({"at", "[ADDRESS:]PORT", "where the page is served; by default at 127.0.0.1", ""});
-    options.push_back({"export", "FILE", "write the page with the case in it, up to 60 times of 40,000 particles, and serve nothing", ""});
+    options.push_back({"at", "[ADDRESS:]PORT", "Address and port of the page (default address: 127.0.0.1)", ""});
+    options.push_back({"export", "FILE", "Write the page and the case into one file: up to 60 times, 40,000 particles", ""});
     const ApplicationInfo info
     {
         .name = "shizukuView",
-        .summary = "Shows the stored times of a case in a browser.",
+        .summary = "Show the stored times of a case in a browser.",
         .options = options
     };
     return runApplication(argc, argv, info, [](const Arguments& args)

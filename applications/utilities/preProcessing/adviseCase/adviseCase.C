@@ -199,13 +199,13 @@ extern "C" int runOnDevice(int argc, char** argv)
         argc, argv,
         {
             .name = "adviseCase",
-            .summary = "Say which models, spacing and step a case needs for a tolerance, and predict error, time and memory.",
+            .summary = "Advise on models, spacing and time step for a tolerance. Predict error, time and memory.",
             .options =
             {
-                {"tolerance", "SHARE", "relative change of the answer that does not matter", "0.05"},
-                {"explain", "", "print the reason of each advice, with its numbers and their source", ""},
-                {"apply", "", "write the advice into the case; the old dictionaries stay beside as *.old", ""},
-                {"measure", "", "time a few steps on this machine's device: else times are of another one", ""},
+                {"tolerance", "SHARE", "Relative error that you accept", "0.05"},
+                {"explain", "", "Print the reason for each advice, its numbers and their source", ""},
+                {"apply", "", "Write the advice into the case; the old dictionaries are kept as *.old", ""},
+                {"measure", "", "Time a few steps on this device (default: use stored times of another device)", ""},
                 deviceOption(),
                 precisionOption()
             }

@@ -80,7 +80,7 @@ extern "C" int runOnDevice(int argc, char** argv)
         argc, argv,
         {
             .name = "checkCase",
-            .summary = "Read a case as the solver does: errors, particles, resolution, dimensionless numbers, memory, time step.",
+            .summary = "Read a case as the solver does. Print errors, resolution, dimensionless numbers, memory and time step.",
             .options = {deviceOption(), precisionOption()},
             .models = modelList
         },

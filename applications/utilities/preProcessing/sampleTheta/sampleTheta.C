@@ -16,7 +16,7 @@ namespace
 
 const ApplicationInfo info
 {
-    "sampleTheta", "Give every solid particle the contact angle of its patch (constant/wettability to 0/solid/theta).", {}
+    "sampleTheta", "Give each solid particle the contact angle of its patch (constant/wettability to 0/solid/theta).", {}
 };
 
 void report(const SolidParticles& solid, const std::vector<double>& theta)
