@@ -74,6 +74,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     thetaModels/StripesTheta.C
     thetaModels/ThetaField.C
     thetaModels/ThetaModel.C
+    caseFiles/BoxSides.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.

@@ -62,7 +62,7 @@ struct SumsOfParticle
 struct FindMotion
 {
     Span<const RigidMotion::Sums> sums, before;          // of all parts; before: empty where there are walls
-    WallConstraints walls, adhesive;                     // adhesive: those that bear other forces than pressure
+    WallConstraints walls, adhesive, sides;              // adhesive: those that bear other forces than pressure; sides: those without a wall near
     Span<RigidMotion::Motion> motion;
 
     HOST_DEVICE void operator()(int) const
@@ -70,7 +70,7 @@ struct FindMotion
         const RigidMotion::Sums all = allOf(sums);
         const double n = double(all.particles);
         const bool atWall = all.atWall > 0;
-        const WallConstraints any = atWall ? walls : WallConstraints{}, bearing = atWall ? adhesive : WallConstraints{};
+        const WallConstraints any = atWall ? walls : sides, bearing = atWall ? adhesive : sides;
         const Vec3 forces = mean(all.forces, n), borne = forces - any.freePart(forces);
         const AboutCentroid about(all);
         const Place origin{about.origin(0), about.origin(1), about.origin(2)};
@@ -213,7 +213,7 @@ void RigidMotion::remove
         sums_
     );
     motion_.resizeDiscarding(1);
-    forEach(1, FindMotion{sums_.span(), before_.span(), walls.constraints(), walls.adhesiveConstraints(), motion_.span()});
+    forEach(1, FindMotion{sums_.span(), before_.span(), walls.constraints(), walls.adhesiveConstraints(), walls.sideConstraints(), motion_.span()});
     forEach(liquid.owned(), RemoveMotion{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});
 }
 
