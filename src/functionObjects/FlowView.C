@@ -103,8 +103,8 @@ LiquidSurface& FlowView::mesher()
 
 void FlowView::buildUnfolded(const Sides& sides)
 {
-    std::vector<Position> places(liquid_.owned());
-    liquid_.position.download(places.data(), liquid_.owned());
+    std::vector<Position> places(seen().owned());
+    seen().position.download(places.data(), seen().owned());
     const Buffer<Position> whole(unfolded(std::move(places), sides));
     mesher().build(whole.span());
 }
