@@ -133,4 +133,9 @@ set(SHIZUKU_DEVICE_SOURCES
     sources/TimedValue.C
     population/Population.C
     functionObjects/populationBalance/PopulationBalance.C
+    particles/Sides.C
+    particles/Images.C
+    particles/Unfold.C
+    neighbours/ImagesOfLiquid.C
+    walls/WallsAtSides.C
 )

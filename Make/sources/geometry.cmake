@@ -75,6 +75,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     thetaModels/ThetaField.C
     thetaModels/ThetaModel.C
     drops/KnownFaults.C
+    caseFiles/BoxSides.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.

@@ -71,4 +71,7 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     sources/Rain.C
     sources/TimedValue.C
     functionObjects/populationBalance/PopulationBalance.C
+    particles/Sides.C
+    particles/Unfold.C
+    walls/WallsAtSides.C
 )

@@ -192,7 +192,7 @@ void HeldLine::advance(Liquid& liquid, const Neighbourhood& near, const Walls& w
         d, surface.support(), std::as_const(liquid.position).span(), std::as_const(liquid.velocity).span(), std::as_const(*angle_).span(),
         std::as_const(*speed_).span(), surface.view(), walls.view(liquid), motion_.span()
     });
-    liquid.ghosts().copy({valuesOf(particles, motion_), valuesOf(liquid.position)}, GhostsOf::lists);
+    liquid.ghosts().copy({valuesOf(particles, motion_, Column::Kind::numbers), valuesOf(liquid.position)}, GhostsOf::lists);
     for (Buffer<scalar>* next : {&nextAngle_, &nextSpeed_})
     {
         next->resizeDiscarding(liquid.all());

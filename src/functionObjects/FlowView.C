@@ -3,10 +3,12 @@
 
 #include "models/density/Density.H"
 #include "neighbours/WholeLiquid.H"
+#include "particles/Unfold.H"
 #include "surface/CaseSurface.H"
 #include "surface/MeshOfParts.H"
 
 #include <limits>
+#include <utility>
 
 namespace shizuku
 {
@@ -99,10 +101,23 @@ LiquidSurface& FlowView::mesher()
     return *mesher_;
 }
 
+void FlowView::buildUnfolded(const Sides& sides)
+{
+    std::vector<Position> places(seen().owned());
+    seen().position.download(places.data(), seen().owned());
+    const Buffer<Position> whole(unfolded(std::move(places), sides));
+    mesher().build(whole.span());
+}
+
 LiquidSurface& FlowView::builtSurface()
 {
-    if (surfaceIsDue_) mesher().build({seen().position.span().data, seen().owned()});
-    surfaceIsDue_ = false;
+    if (std::exchange(surfaceIsDue_, false))
+    {
+        const Images* images = liquid_.ghosts().images();
+        const bool isFolded = images && images->sides().box().has(Sides::Kind::symmetryPlane);
+        if (isFolded) buildUnfolded(images->sides());
+        else mesher().build({seen().position.span().data, seen().owned()});
+    }
     return *mesher_;
 }
 

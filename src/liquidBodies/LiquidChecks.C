@@ -159,6 +159,24 @@ void keepOutOfWalls(FilledBody& body, const std::vector<AnalyticSurface>& walls,
     }
 }
 
+void keepBeforePlanes(FilledBody& body, const BoxSides& sides, double spacing)
+{
+    for (int k = 0; k < 3; ++k)
+    {
+        for (const bool upper : {false, true})
+        {
+            if (sides.kind[k][upper] != BoxSides::Kind::symmetryPlane) continue;
+            const double at = sides.at[k][upper], sign = upper ? -1 : 1;
+            keepOut
+            (
+                body, "Liquid behind the symmetry plane " + BoxSides::name(k, upper),
+                "particles before the plane, about half a spacing from it, as those of a body have that has its origin on it",
+                [&](std::size_t i) { return sign*(body.positions[i][k] - at) < wallDistance*spacing; }
+            );
+        }
+    }
+}
+
 void keepOutOfSolid(std::span<FilledBody> bodies, const SolidParticles& solid, double spacing)
 {
     if (solid.positions.empty()) return;

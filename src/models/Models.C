@@ -10,7 +10,7 @@ namespace
 {
 
 template<class Table>
-ModelKind kindOf(const std::string& keyword, const std::string& usual, bool hasCoeffs)
+ModelKind modelKindOf(const std::string& keyword, const std::string& usual, bool hasCoeffs)
 {
     return {keyword, usual, hasCoeffs, Table::summaries()};
 }
@@ -37,9 +37,9 @@ std::vector<ModelKind> modelKinds()
 {
     return
     {
-        kindOf<PressureTable>("pressure", "", false), kindOf<SurfaceTensionTable>("surfaceTension", "", true), kindOf<WettingTable>("wetting", "", true),
-        kindOf<ViscosityTable>("viscosity", "", true), kindOf<VelocityCorrectionTable>("velocityCorrection", "none", true),
-        kindOf<ParticleShiftingTable>("particleShifting", "none", true), kindOf<BodyForceTable>("bodyForce", "", false)
+        modelKindOf<PressureTable>("pressure", "", false), modelKindOf<SurfaceTensionTable>("surfaceTension", "", true), modelKindOf<WettingTable>("wetting", "", true),
+        modelKindOf<ViscosityTable>("viscosity", "", true), modelKindOf<VelocityCorrectionTable>("velocityCorrection", "none", true),
+        modelKindOf<ParticleShiftingTable>("particleShifting", "none", true), modelKindOf<BodyForceTable>("bodyForce", "", false)
     };
 }
 
@@ -75,7 +75,7 @@ void Models::holdLines(const std::filesystem::path& casePath, Liquid& liquid)
     freeSurface->hold(heldLine->angle());
 }
 
-void Models::refuseParts() const
+void Models::refuseGhostBlind(const std::string& what) const
 {
     const std::map<std::string, const Model*> models = byKeyword();
     for (const ModelKind& kind : modelKinds())
@@ -85,8 +85,8 @@ void Models::refuseParts() const
         throw FatalInputError
         (
             dict.where(kind.keyword),
-            "The liquid cannot be cut into parts with " + kind.keyword + " " + word + ": the model does not say that it sees the particles of other parts",
-            "a model whose seesGhosts() is true, as those of this program are; or one process"
+            what + " with " + kind.keyword + " " + word + ": the model does not say that it sees ghost particles",
+            "a model whose seesGhosts() is true, as those of this program are; or one process, and open sides"
         );
     }
 }

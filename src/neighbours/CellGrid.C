@@ -155,7 +155,8 @@ CellGridView CellGrid::view() const
     return
     {
         cellSize, perCell, device::cellsInWidth * perCell, width_, perWidth, shifts, bits_.x, bits_.y, bits_.z, start_.span(),
-        withGhosts_ ? 1u << bits_.all() : 0, ofGhosts.y, ofGhosts.z, wide_.span().data, own_
+        withGhosts_ ? 1u << bits_.all() : 0, ofGhosts.y, ofGhosts.z, wide_.span().data, own_,
+        withGhosts_ && rowsAreShared_
     };
 }
 
@@ -182,6 +183,7 @@ Buffer<std::uint32_t> CellGrid::build
 {
     const int mine = owned ? owned->points : n;
     own_ = owned ? owned->rows : RowRectangle();
+    rowsAreShared_ = owned && owned->rowsAreShared;
     chooseSize(n, mine < n);
     start_.setZero();
     wide_.setZero();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "neighbours/Neighbourhood.H"
 
+#include "neighbours/ImagesOfLiquid.H"
+
 #include <algorithm>
 
 namespace shizuku
@@ -38,14 +40,23 @@ void Neighbourhood::search(Liquid& liquid, scalar wideSupport, scalar ghosts)
         wideSupport_ = wideSupport;
     }
     list_.forget();
-    if (parts_) parts_->bring(liquid, grid_, std::max({liquid.support(), wideSupport, ghosts}));
+    const scalar reach = std::max({liquid.support(), wideSupport, ghosts});
     std::optional<CellGrid::Owned> owned;
-    if (parts_) owned = CellGrid::Owned{liquid.owned(), parts_->cut().rowsOf(liquid.parts().part())};
-    const Buffer<std::uint32_t> order = grid_.build(liquid.predicted.span(), liquid.all(), liquid.id.span(), {}, owned);
-    liquid.fields().reorder(order);
     if (parts_)
     {
-        liquid.ghosts().reorder(order);
+        parts_->bring(liquid, grid_, reach);
+        owned = CellGrid::Owned{liquid.owned(), parts_->cut().rowsOf(liquid.parts().part())};
+    }
+    else if (liquid.ghosts().images())
+    {
+        makeImages(liquid, grid_.view().widened(reach));
+        owned = CellGrid::Owned{liquid.owned(), {}, true};
+    }
+    const Buffer<std::uint32_t> order = grid_.build(liquid.predicted.span(), liquid.all(), liquid.id.span(), {}, owned);
+    liquid.fields().reorder(order);
+    if (owned) liquid.ghosts().reorder(order);
+    if (parts_)
+    {
         if (particlesOfAll_ == 0) particlesOfAll_ = liquid.parts().count(liquid.owned());
         keys_ = grid_.keys(liquid.predicted.span(), liquid.owned(), particlesOfAll_);
     }

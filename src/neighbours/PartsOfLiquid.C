@@ -81,20 +81,6 @@ struct SeenBy
     }
 };
 
-template<class Wanted>
-Columns columnsOf(FieldRegistry& fields, const Wanted& wanted)
-{
-    Columns columns;
-    for (const auto& entry : fields.entries())
-    {
-        if (wanted(entry->info)) std::visit([&](auto& field) { columns.push_back(valuesOf(field)); }, entry->values);
-    }
-    return columns;
-}
-
-bool moves(const FieldInfo& info) { return info.sorted; }
-bool isExchanged(const FieldInfo& info) { return info.exchanged; }
-
 // Who leaves, those who go to one part behind those of another.
 struct Leaving
 {
@@ -213,12 +199,12 @@ void PartsOfLiquid::migrate(Liquid& liquid, const CellGridView& grid, Span<const
     Exchange exchange;
     const int coming = exchange.set(liquid.parts(), Buffer<std::uint32_t>(gone.index), gone.counts);
     FieldRegistry& fields = liquid.fields();
-    exchange.pack(columnsOf(fields, moves));
+    exchange.pack(fields.columnsOf(&FieldInfo::sorted));
     liquid.ghosts().pass(exchange);                 // all parts come to it
     if (coming == 0 && indices.size == 0) return;
     const Places places(liquid.owned(), std::move(gone.index), coming);
     if (places.owned > liquid.owned()) liquid.resize(places.owned);
-    settle(columnsOf(fields, moves), exchange, places);
+    settle(fields.columnsOf(&FieldInfo::sorted), exchange, places);
     if (places.owned < liquid.owned()) liquid.resize(places.owned);
 }
 
@@ -267,7 +253,7 @@ void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach
     }
     Ghosts& ghosts = liquid.ghosts();
     liquid.resize(owned, ghosts.set(std::move(sent), counts, owned));
-    ghosts.copy(columnsOf(liquid.fields(), isExchanged));
+    ghosts.copy(liquid.fields().columnsOf(&FieldInfo::exchanged));
 }
 
 void PartsOfLiquid::bring(Liquid& liquid, const CellGrid& grid, scalar reach)

@@ -58,6 +58,16 @@ FieldRegistry::Infos FieldRegistry::infos() const
     return infos;
 }
 
+Columns FieldRegistry::columnsOf(bool FieldInfo::* which)
+{
+    Columns columns;
+    for (const auto& entry : entries_)
+    {
+        if (entry->info.*which) std::visit([&](auto& field) { columns.push_back(valuesOf(field)); }, entry->values);
+    }
+    return columns;
+}
+
 void FieldRegistry::restore(const Infos& infos)
 {
     entries_.resize(infos.size());

@@ -80,6 +80,8 @@ void Ghosts::reorder(const Buffer<std::uint32_t>& order)
 {
     Buffer<std::uint32_t> now(order.size());
     forEach(order.size(), Invert{order.span(), now.span()});
+    if (images_) images_->reorder(std::as_const(now).span());
+    if (parts().parts() == 1) return;
     for (Buffer<std::uint32_t>* list : {&exchange_.sent(), &received_}) forEach(list->size(), Renumber{now.span(), list->span()});
     findEdge();
 }
@@ -107,6 +109,7 @@ int Ghosts::edges() const
 
 void Ghosts::copy(const Columns& values, GhostsOf which) const
 {
+    if (images_) return images_->copy(values);
     if (parts().parts() == 1) return;
     exchange_.pack(values, which);
     pass(exchange_);

@@ -37,6 +37,7 @@ std::unique_ptr<Liquid> CaseSetup::emptyLiquid() const
 void CaseSetup::makeLiquid()
 {
     liquid = emptyLiquid();
+    if (const auto sides = Sides::read(path, liquid->units().length)) liquid->ghosts().repeat(*sides);
     liquidProperties->refuseUnused();
 }
 
@@ -48,12 +49,17 @@ void CaseSetup::makeWalls(double start)
 void CaseSetup::makeModels()
 {
     models = std::make_unique<Models>(path, *solution, *liquid, *walls);
+    if (liquid->ghosts().images()) models->refuseGhostBlind("The liquid cannot go on across sides");
     models->takeEffect(*liquid, *walls);
 }
 
 void CaseSetup::makePopulation()
 {
     population.emplace(path, *liquid);
+    if (liquid->ghosts().images() && population->mayComeIn())
+    {
+        throw FatalInputError({(path / "constant/sources").string(), 0}, "Liquid cannot come in where sides are cyclic or symmetry planes", "no sources; or open sides in constant/boundary");
+    }
     if (population->mayComeIn()) population->refuseInWalls(*walls, *emptyLiquid());
 }
 
@@ -70,6 +76,7 @@ void CaseSetup::refuseUnused() const
 void CaseSetup::readParticles(const Time& time)
 {
     liquid->read(time.path(), !Sources::names(path).empty());
+    if (const Images* images = liquid->ghosts().images()) images->sides().refuseOutside(liquid->positions());
     if (population) population->begin(*liquid);
 }
 

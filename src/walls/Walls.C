@@ -10,6 +10,7 @@
 #include "thetaModels/ThetaField.H"
 #include "walls/KeepOutside.H"
 #include "walls/LiquidInside.H"
+#include "walls/WallsAtSides.H"
 
 #include <algorithm>
 #include <cmath>
@@ -93,6 +94,12 @@ Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liqu
         layer_->constrain(constraints_);
     }
     dict_.refuseUnused();
+    if (const Images* images = liquid.ghosts().images())
+    {
+        sideConstraints_.constrain(images->sides().box());
+        constraints_.constrain(images->sides().box());
+        refuseBreaksAtSides(casePath, dict_, images->sides(), liquid);
+    }
 }
 
 void Walls::use(const Liquid& liquid, WallUse use)

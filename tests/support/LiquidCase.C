@@ -18,8 +18,14 @@ CaseText caseOnWettedFloor(bool sampled, int alongX, int alongY)
 
 LiquidCase::LiquidCase(const CaseText& text)
 :
-    liquid(makeLiquid(text)), walls(folder.path(), 0, liquid), near(liquid), hasAngles_(!text.wettability.empty() || !text.solidTheta.empty())
+    liquid(makeLiquid(text)), walls(makeWalls()), near(liquid), hasAngles_(!text.wettability.empty() || !text.solidTheta.empty())
 {}
+
+Walls LiquidCase::makeWalls()
+{
+    if (const auto sides = Sides::read(folder.path(), liquid.units().length)) liquid.ghosts().repeat(*sides);
+    return Walls(folder.path(), 0, liquid);
+}
 
 // Writes the case's files as well: the walls read them next.
 Liquid LiquidCase::makeLiquid(const CaseText& text) const
@@ -27,6 +33,7 @@ Liquid LiquidCase::makeLiquid(const CaseText& text) const
     folder.write("constant/walls", text.walls);
     folder.write("constant/wettability", text.wettability);
     folder.write("constant/g", text.g);
+    if (!text.boundary.empty()) folder.write("constant/boundary", text.boundary);
     if (!text.solidPositions.empty())
     {
         SolidParticles solid;

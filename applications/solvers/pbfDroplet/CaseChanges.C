@@ -78,7 +78,7 @@ public:
         liquid.change(wanted.viscosity, wanted.surfaceTension);
         models.emplace(time.casePath(), solution, liquid, *setup.walls);
         solution.refuseUnused();
-        if (liquid.parts().parts() > 1) models->refuseParts();
+        if (liquid.ghosts().mayBe()) models->refuseGhostBlind("The liquid goes on in other parts, or across sides, which it cannot");
         if (!models->angles || setup.walls->particles() == 0) return;
         const std::optional<WallAngles>& angles = setup.walls->angles();
         if (anew.wettability) models->angles->particles = caseTheta(time.casePath());

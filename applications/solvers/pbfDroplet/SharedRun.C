@@ -2,6 +2,9 @@
 #include "SharedRun.H"
 
 #include "device/Sharing.H"
+#include "motion/Motion.H"
+
+#include <iostream>
 
 namespace shizuku
 {
@@ -10,14 +13,28 @@ SharedRun::SharedRun(const Communicator& parts, CaseSetup& setup)
     : parts_(parts), setup_(setup), controls_(BalanceControls::read(setup.path)), balance_(controls_)
 {
     if (!isCut()) return;
-    setup.models->refuseParts();
+    if (setup.liquid->ghosts().images())
+    {
+        throw FatalInputError
+        (
+            {(setup.path / "constant/boundary").string(), 0}, "A liquid that goes on across sides is not cut into parts, and there are " + std::to_string(parts.parts()) + " processes",
+            "one process; or open sides"
+        );
+    }
+    setup.models->refuseGhostBlind("The liquid cannot be cut into parts");
     setup.liquid->ghosts().join(parts);
 }
 
 void SharedRun::cut(Neighbourhood& near)
 {
-    if (isCut()) balance_.begin(*setup_.liquid, near);
+    Liquid& liquid = *setup_.liquid;
+    if (isCut()) balance_.begin(liquid, near);
     cutWalls(near);
+    const Images* images = liquid.ghosts().images();
+    if (!images) return;
+    std::cout << "Sides  : " << images->sides().description() << std::endl;
+    predictPositions(liquid, 0);
+    near.search(liquid, 0);
 }
 
 void SharedRun::showWhole(FlowView& flow) const

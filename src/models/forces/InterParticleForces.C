@@ -42,7 +42,7 @@ bool InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& 
         return true;
     }
     if (!actInIterations()) return false;
-    liquid.ghosts().copy(liquid.predicted);
+    liquid.ghosts().copy({valuesOf(liquid.predicted, Column::Kind::places)});
     apply(liquid, near, walls, dt);
     return true;
 }

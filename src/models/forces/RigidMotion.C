@@ -63,20 +63,21 @@ struct FindMotion
 {
     Span<const RigidMotion::Sums> sums, before;          // of all parts; before: empty where there are walls
     WallConstraints walls, adhesive;                     // adhesive: those that bear other forces than pressure
+    bool always;                                         // they hold whether a wall is near or not: at sides
     Span<RigidMotion::Motion> motion;
 
     HOST_DEVICE void operator()(int) const
     {
         const RigidMotion::Sums all = allOf(sums);
         const double n = double(all.particles);
-        const bool atWall = all.atWall > 0;
+        const bool atWall = always || all.atWall > 0;
         const WallConstraints any = atWall ? walls : WallConstraints{}, bearing = atWall ? adhesive : WallConstraints{};
         const Vec3 forces = mean(all.forces, n), borne = forces - any.freePart(forces);
         const AboutCentroid about(all);
         const Place origin{about.origin(0), about.origin(1), about.origin(2)};
         const Vec3 momentum = about.momentum(n) - (before.size > 0 ? AboutCentroid(allOf(before)).momentum(n) : Vec3{});
         const Vec3 by = before.size > 0 ? forces : any.freePart(mean(all.d, n)) + bearing.freePart(borne);
-        motion[0] = {by, turn(momentum, about, n, any), about.rest(n), origin};
+        motion[0] = {by, any.mayTurn() ? turn(momentum, about, n, any) : Vec3{}, about.rest(n), origin};
     }
 
 private:
@@ -213,7 +214,7 @@ void RigidMotion::remove
         sums_
     );
     motion_.resizeDiscarding(1);
-    forEach(1, FindMotion{sums_.span(), before_.span(), walls.constraints(), walls.adhesiveConstraints(), motion_.span()});
+    forEach(1, FindMotion{sums_.span(), before_.span(), walls.constraints(), walls.adhesiveConstraints(), !walls.sideConstraints().none(), motion_.span()});
     forEach(liquid.owned(), RemoveMotion{motion_.span(), 1 / dt, liquid.position.span(), liquid.velocity.span()});
 }
 

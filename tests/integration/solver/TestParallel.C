@@ -240,6 +240,9 @@ TEST_P(Parallel, RefusesWhatItCannotDoOnceAndLeavesTheCase)
     refused({"has 4 parts, and there are 3 processes", "mpirun -np 4"});
     write("system/decomposeParDict", "rebalanceAbove -1;\n");
     refused({"The share is negative"});
+    remove("system/decomposeParDict");
+    write("constant/boundary", "min (0 0 -0.1);\nmax (1 1 0.1);\nsides { zMin symmetryPlane; }\n");
+    refused({"A liquid that goes on across sides is not cut into parts, and there are 3 processes", "constant/boundary", "one process"});
 }
 
 // Of a block of 294 particles: each rank has some, and what it needs.

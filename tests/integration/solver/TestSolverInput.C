@@ -113,6 +113,28 @@ TEST_P(Input, ControlDict)
     );
 }
 
+TEST_P(Input, Boundary)
+{
+    write("constant/boundary", "");
+    const std::string box = "min (0 -6e-3 0);\nmax (0 6e-3 0);\n";
+    expectRefusals
+    (
+        "constant/boundary",
+        {
+            {"", {"'sides' is missing"}},
+            {box + "sides { yMin cyclic; }", {"The side yMin is cyclic, and yMax is not", "line 3", "yMin cyclic; yMax cyclic;"}},
+            {box + "sides { yMin periodic; }", {"'periodic'", "line 3", "cyclic", "symmetryPlane"}},
+            {box + "sides { zMin cyclic;\nzMax cyclic; }", {"The sides zMin and zMax are at 0 and 0 m", "line 2"}},
+            {box + "sides { left open; }", {"'left'", "line 3"}},
+            {box + "side { }", {"'side'", "did you mean 'sides'"}},
+            {"min (0 -0.5e-3 0);\nmax (0 0.5e-3 0);\nsides { yMin cyclic; yMax cyclic; }", {"beyond the side yMin, at y = -0.0005 m", "line 3"}},
+            {"min (0 -1.5e-3 0);\nmax (0 1.5e-3 0);\nsides { yMin cyclic; yMax cyclic; }", {"are 0.003 m apart, and particles see each other across", "line 3"}},
+            {"min (0 0 0);\nmax (1 1 1);\nsides { yMin symmetryPlane; }", {"beyond the side yMin, at y = 0 m", "line 3", "liquid above it"}}
+        }
+    );
+    remove("constant/boundary");
+}
+
 TEST_P(Input, Solution)
 {
     expectRefusals

@@ -100,6 +100,19 @@ TEST_P(Restart, LiquidThatIsTakenOutStaysOut)
     EXPECT_TRUE(holds(outcome.text, {"taken out: side ", " particles, "}));
 }
 
+// The block is pressed against a symmetry plane in the place of the wall, and half of it crosses a cyclic side meanwhile.
+TEST_P(Restart, LiquidGoesOnAcrossSides)
+{
+    write("constant/walls", "floor { type particles; surface \"floor.stl\"; }\n");
+    write("constant/wettability", "floor { theta 60; }\n");
+    write("constant/boundary", "min (-3.5e-3 -6e-3 0); max (1 6e-3 1); sides { xMin symmetryPlane; yMin cyclic; yMax cyclic; }\n");
+    fill({-0.2, 0.6, 0});
+    expectRestart(binary);
+    const Outcome outcome = (removeResults(), solve());
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"Sides  : xMin symmetryPlane, y cyclic over 0.012 m"}));
+}
+
 TEST_P(Restart, ARunEndsWhereAllLiquidIsTakenOut)
 {
     write("constant/outlets", "all { type plane; point (0 0 0.05); normal (0 0 -1); }\n");

@@ -54,6 +54,32 @@ TEST(LiquidChecks, LiquidOnAPlaneIsAcceptedAndBelowItRefused)
     EXPECT_TRUE(holds(messageOf([&] { keepOutOfWalls(below, walls, 1); }), {"32 of the 32"}));
 }
 
+TEST(LiquidChecks, LiquidBehindASymmetryPlaneIsRefusedOrLeftOut)
+{
+    BoxSides sides;
+    sides.kind[0][0] = sides.kind[1][1] = BoxSides::Kind::symmetryPlane;
+    sides.kind[2][0] = sides.kind[2][1] = BoxSides::Kind::cyclic;
+    FilledBody drop = fill("drop", "type box; min (-2 -2 0); max (2 2 4);", 1);
+    EXPECT_TRUE(holds
+    (
+        messageOf([&] { keepBeforePlanes(drop, sides, 1); }),
+        {"Liquid behind the symmetry plane xMin", "32 of the 64", "(-1.5 -1.5 0.5)", "half a spacing", "overlaps carve"}
+    ));
+    drop.carve = true;
+    keepBeforePlanes(drop, sides, 1);
+    EXPECT_EQ(drop.positions.size(), 16u);
+    for (const Vector3& x : drop.positions)
+    {
+        EXPECT_GT(x.x, 0);
+        EXPECT_LT(x.y, 0);
+    }
+    ASSERT_EQ(drop.leftOut.size(), 2u);
+    EXPECT_TRUE(holds(drop.leftOut[1], {"16 particles", "symmetry plane yMax"}));
+    // Nearer to it than 0.4 spacings.
+    FilledBody near = fill("near", "type box; min (-0.2 -4 0); max (3.8 -2 4);", 1);
+    EXPECT_TRUE(holds(messageOf([&] { keepBeforePlanes(near, sides, 1); }), {"xMin", "8 of the 32"}));
+}
+
 TEST(LiquidChecks, LiquidOnSolidParticlesIsAcceptedAndBehindThemRefused)
 {
     const SolidParticles solid = floorParticles(10);

@@ -69,3 +69,29 @@ TEST(PackedRows, KeepsNothingAndAllOfAShare)
     EXPECT_EQ(all.rows.x.z, 1);
     EXPECT_EQ(all.rows.x.x, 0);
 }
+
+TEST(PackedRows, AreMirroredExactly)
+{
+    RandomNumbers random(7);
+    for (int k = 0; k < 1000; ++k)
+    {
+        const Rows<Vec3> rows{random({-1, -1, -1}, {1, 1, 1}), random({-1, -1, -1}, {1, 1, 1}), random({-1, -1, -1}, {1, 1, 1})};
+        const PackedRows words = packed(rows, 0.5f);
+        const auto plain = unpacked(words.words, words.last);
+        for (int sides = 0; sides < 8; ++sides)
+        {
+            const Vec3 s{sides & 1 ? -1.0f : 1.0f, sides & 2 ? -1.0f : 1.0f, sides & 4 ? -1.0f : 1.0f};
+            const auto seen = unpacked(mirrored(words.words, s.x, s.y, s.z), words.last);
+            const auto expectRow = [&](Vec3 found, Vec3 own, scalar sign)
+            {
+                EXPECT_EQ(found.x, sign * s.x * own.x);
+                EXPECT_EQ(found.y, sign * s.y * own.y);
+                EXPECT_EQ(found.z, sign * s.z * own.z);
+            };
+            expectRow(seen.counts.x, plain.counts.x, s.x);
+            expectRow(seen.counts.y, plain.counts.y, s.y);
+            expectRow(seen.counts.z, plain.counts.z, s.z);
+            EXPECT_EQ(seen.share, plain.share);
+        }
+    }
+}

@@ -156,7 +156,7 @@ Cut runCut(const Scene& scene, const RowCut& cut)
         drop.liquid.ghosts().join(parts);
         drop.near.cut(cut, 100);            // in several rounds
         if (!sharesAsWhole()) drop.walls.cut(cut.rowsOf(parts.part()), drop.near.grid().view());    // as the solver
-        drop.models->refuseParts();
+        drop.models->refuseGhostBlind("The liquid cannot be cut into parts");
         const std::vector<State> own = drop.run(scene.steps);
         const std::lock_guard lock(mutex);
         for (std::size_t k = 0; k < own.size(); ++k)
@@ -449,11 +449,11 @@ TEST(TestParts, SolidParticlesAreThoseOfTheRows)
 TEST(TestParts, ModelsThatDoNotSayThatTheySeeGhostsAreRefused)
 {
     CutDrop drop({"default", "particleShifting closePairs;", false, 1});
-    drop.models->refuseParts();
+    drop.models->refuseGhostBlind("The liquid cannot be cut into parts");
     drop.models->particleShifting = std::make_unique<OfOneProcess>();
     try
     {
-        drop.models->refuseParts();
+        drop.models->refuseGhostBlind("The liquid cannot be cut into parts");
         FAIL();
     }
     catch (const FatalInputError& error)

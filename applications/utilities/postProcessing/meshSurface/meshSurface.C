@@ -13,6 +13,7 @@
 #include "meshes/surfaceFormats/SurfaceFormat.H"
 #include "parallel/AllParts.H"
 #include "parallel/ParallelRun.H"
+#include "particles/Unfold.H"
 #include "particles/Units.H"
 #include "surface/CaseSurface.H"
 #include "surface/MeshOfParts.H"
@@ -102,6 +103,13 @@ struct Share
     std::vector<Position> positions;
 };
 
+// With the mirror images across symmetry planes.
+void unfold(Share& share, const Sides& sides)
+{
+    share.positions = unfolded(std::move(share.positions), sides);
+    share.all *= unfolded(std::vector<Position>(1), sides).size();
+}
+
 Share readShare(const TimeFolder& time, double unit, const Communicator& parts)
 {
     Share share;
@@ -174,6 +182,7 @@ void meshSurface(const Arguments& args, const Communicator& parts)
     const Units units = Units::near(spacing, 1, 1);
     LiquidSurface surface(readSurfaceParameters(args.casePath(), units.toScaled(spacing, dimensions::length)));
     const SurfaceFileControls controls = readSurfaceFileControls(args.casePath());
+    const std::optional<Sides> sides = Sides::read(args.casePath(), units.length);
     const Formats formats = chosenFormats(args, controls.formats);
     const auto times = timesWithLiquid(args);
     Progress progress("Meshing");
@@ -181,6 +190,7 @@ void meshSurface(const Arguments& args, const Communicator& parts)
     for (std::size_t t = 0; t < times.size(); ++t)
     {
         Share share = readShare(times[t], units.length, parts);
+        if (sides) unfold(share, *sides);
         const auto [cut, own] = surface.particlesOfLayers(std::exchange(share.positions, {}), parts);
         const Buffer<Position> particles(own);
         surface.build(particles.span(), cut);

@@ -58,11 +58,16 @@ void run(const Arguments& args)
     const double spacing = readSpacing(casePath);
     std::vector<FilledBody> bodies = readBodies(Dictionary::read(casePath/"system"/"fillLiquidDict"), casePath, spacing);
     const std::vector<AnalyticSurface> walls = readAnalyticSurfaces(Dictionary::read(casePath/"constant"/"walls"));
+    const std::optional<BoxSides> sides = BoxSides::read(casePath);
     const SolidParticles solid = haveSolidParticles(casePath) ? readSolidParticles(casePath) : SolidParticles();
 
     std::cout << "Particle spacing " << spacing << " m\n";
     warnOf(suspectEntries(casePath));
-    for (FilledBody& body : bodies) keepOutOfWalls(body, walls, spacing);
+    for (FilledBody& body : bodies)
+    {
+        if (sides) keepBeforePlanes(body, *sides, spacing);
+        keepOutOfWalls(body, walls, spacing);
+    }
     keepOutOfSolid(bodies, solid, spacing);
     keepApart(bodies, spacing);
     for (const FilledBody& body : bodies) report(body, spacing);

@@ -169,7 +169,9 @@ public:
     {
         refuseIf(!(ordering_ >= 1 && ordering_ <= 4), controls, "ordering", "1 to 4");
         refuseIf(!(orderRemoved_ >= 0 && orderRemoved_ <= 1), controls, "orderRemoved", "0 to 1");
-        if (controls.lookupOr("coarseGrid", false)) coarse_.emplace(liquid);
+        const bool coarse = controls.lookupOr("coarseGrid", false);
+        refuseIf(coarse && liquid.ghosts().images(), controls, "coarseGrid", "no: the grid does not go on across the sides of constant/boundary");
+        if (coarse) coarse_.emplace(liquid);
         if (controls.found("alongSurfaces")) givenAlongSurfaces_ = controls.lookup<bool>("alongSurfaces");
         surface.agreed().ordering = ordering_;
         surface.agreed().orderRemoved = orderRemoved_;
@@ -268,7 +270,7 @@ private:
         if (Stress::present)
         {
             read.push_back(placesOf(liquid.predicted));
-            made.push_back(valuesOf(stress_));
+            made.push_back(valuesOf(stress_, Column::Kind::deviators));
         }
         std::visit
         (
