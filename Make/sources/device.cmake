@@ -133,4 +133,5 @@ set(SHIZUKU_DEVICE_SOURCES
     sources/TimedValue.C
     population/Population.C
     functionObjects/populationBalance/PopulationBalance.C
+    walls/WallBodies.C
 )

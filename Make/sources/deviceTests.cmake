@@ -79,6 +79,7 @@ set(SHIZUKU_DEVICE_TESTS
     walls/TestWallSurface.C
     walls/TestWallView.C
     walls/TestWalls.C
+    walls/TestMovingWalls.C
 )
 # Headers that most of them include, compiled once. Paths below tests/.
 set(SHIZUKU_DEVICE_TEST_HEADERS

@@ -74,6 +74,13 @@ set(SHIZUKU_GEOMETRY_SOURCES
     thetaModels/StripesTheta.C
     thetaModels/ThetaField.C
     thetaModels/ThetaModel.C
+    wallMotions/AngularOscillationMotion.C
+    wallMotions/OscillationMotion.C
+    wallMotions/RotationMotion.C
+    wallMotions/TableMotion.C
+    wallMotions/TranslationMotion.C
+    wallMotions/WallMotion.C
+    wallMotions/WallMotions.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.
