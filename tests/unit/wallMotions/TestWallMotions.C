@@ -88,17 +88,17 @@ TEST(WallMotions, PosesFollowEachOther)
 
 TEST(WallMotions, RefuseWhatCannotBe)
 {
-    EXPECT_TRUE(holds(refusal("type translatoin; velocity (1 0 0);"), {"constant/walls:", "translatoin", "translation", "angularOscillation"}));
-    EXPECT_TRUE(holds(refusal("type translation; velocity (1 0 0); speed 3;"), {"constant/walls:", "speed"}));
+    EXPECT_TRUE(holds(refusal("type translatoin; velocity (1 0 0);"), {"constant/walls at line", "translatoin", "translation", "angularOscillation"}));
+    EXPECT_TRUE(holds(refusal("type translation; velocity (1 0 0); speed 3;"), {"constant/walls at line", "speed"}));
     EXPECT_TRUE(holds(refusal("type translation; velocity (1 0 0); start -1;"), {"starts at -1 s", "0 s or later"}));
     EXPECT_TRUE(holds(refusal("type translation; velocity (1 0 0); start 2; stop 1;"), {"stops at 1 s and starts at 2 s"}));
-    EXPECT_TRUE(holds(refusal("type rotation; origin (0 0 0); axis (0 0 0); omega 1;"), {"constant/walls:", "axis"}));
-    EXPECT_TRUE(holds(refusal("type oscillation; amplitude (0 0 1); frequency 0;"), {"constant/walls:", "frequency"}));
+    EXPECT_TRUE(holds(refusal("type rotation; origin (0 0 0); axis (0 0 0); omega 1;"), {"constant/walls at line", "axis"}));
+    EXPECT_TRUE(holds(refusal("type oscillation; amplitude (0 0 1); frequency 0;"), {"constant/walls at line", "frequency"}));
     EXPECT_TRUE(holds(refusal("type table; times (0 1); displacements ((0 0 0));"), {"2 times and 1 displacements"}));
     EXPECT_TRUE(holds(refusal("type table; times (0 2 1); displacements ((0 0 0) (1 0 0) (2 0 0));"), {"not sorted", "1 s follows 2 s"}));
     EXPECT_TRUE(holds(refusal("type table; times (0 1); displacements ((1 0 0) (2 0 0));"), {"begins at 0 s with (1 0 0) m"}));
     const std::string box = "type box; min (0 0 0); max (1 1 1);";
-    EXPECT_TRUE(holds(refusal("type rotation; origin (0 0 0); axis (0 0 1); omega 1;", box), {"constant/walls:", "a box", "six walls of type plane"}));
+    EXPECT_TRUE(holds(refusal("type rotation; origin (0 0 0); axis (0 0 1); omega 1;", box), {"constant/walls at line", "a box", "six walls of type plane"}));
     EXPECT_EQ(refusal("type translation; velocity (1 0 0);", box), "no error");
 }
 
