@@ -138,4 +138,5 @@ set(SHIZUKU_DEVICE_SOURCES
     particles/Unfold.C
     neighbours/ImagesOfLiquid.C
     walls/WallsAtSides.C
+    walls/WallBodies.C
 )

@@ -80,6 +80,7 @@ set(SHIZUKU_DEVICE_TESTS
     walls/TestWallView.C
     walls/TestWalls.C
     stepping/TestSides.C
+    walls/TestMovingWalls.C
 )
 # Headers that most of them include, compiled once. Paths below tests/.
 set(SHIZUKU_DEVICE_TEST_HEADERS

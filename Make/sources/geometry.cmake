@@ -76,6 +76,13 @@ set(SHIZUKU_GEOMETRY_SOURCES
     thetaModels/ThetaModel.C
     drops/KnownFaults.C
     caseFiles/BoxSides.C
+    wallMotions/AngularOscillationMotion.C
+    wallMotions/OscillationMotion.C
+    wallMotions/RotationMotion.C
+    wallMotions/TableMotion.C
+    wallMotions/TranslationMotion.C
+    wallMotions/WallMotion.C
+    wallMotions/WallMotions.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.

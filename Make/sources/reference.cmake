@@ -13,4 +13,5 @@ set(SHIZUKU_REFERENCE_SOURCES
     reference/Spreading.C
     reference/TubeMeniscus.C
     reference/ViscousDrop.C
+    reference/PlateFlow.C
 )

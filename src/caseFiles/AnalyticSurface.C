@@ -167,6 +167,7 @@ std::vector<AnalyticSurface> readAnalyticSurfaces(const Dictionary& walls)
         else
         {
             surfaces.push_back(readSurface(name, type, wall));
+            wall.subDictOrEmpty("motion").markUsed();
         }
     }
     return surfaces;

@@ -67,6 +67,7 @@ std::vector<SampledWall> readSampledWalls(const std::filesystem::path& casePath)
         {
             sampled.closeHoles = wall.lookupPositive("closeHoles", dimensions::length, true);
         }
+        wall.subDictOrEmpty("motion").markUsed();
         result.push_back(sampled);
     }
     walls.refuseUnused();
@@ -107,9 +108,28 @@ void writeMarks(std::ostream& stream, const std::vector<SurfaceMark>& marks)
         stream << mark.wall << "\n{\n    surface     \"" << mark.surface << "\";\n    scale       " << mark.scale
                << ";\n    closeHoles  " << mark.closeHoles << ";\n    sum         \"" << mark.sum << "\";\n";
         if (mark.flip) stream << "    flip        yes;\n";
+        if (mark.patches != std::vector{mark.wall})
+        {
+            stream << "    patches     (";
+            for (const std::string& patch : mark.patches) stream << (&patch == &mark.patches.front() ? "" : " ") << patch;
+            stream << ");\n";
+        }
         if (!mark.form.empty()) stream << "    form        " << mark.form << ";\n";
         stream << "}\n";
     }
+}
+
+std::map<std::string, std::string> readWallsOfPatches(const std::filesystem::path& casePath)
+{
+    std::map<std::string, std::string> walls;
+    const auto file = casePath/"constant/solid/surfaces";
+    if (!isThere(file)) return walls;
+    const Dictionary made = Dictionary::read(file);
+    for (const std::string& name : made.dictKeys())
+    {
+        for (const std::string& patch : made.subDict(name).lookupOr("patches", std::vector{name})) walls[patch] = name;
+    }
+    return walls;
 }
 
 std::vector<std::string> branchingSheets(const std::filesystem::path& casePath)

@@ -58,7 +58,7 @@ struct MeasureMotion
         // Towards the gas: the surface's own speed, over what of its normal lies along the wall.
         constexpr scalar flattest = 0.5f;
         const Vec3 G = surface.gradient[k], m = -1 / fmax(norm(G), 1e-20f) * G;
-        const scalar u = dot(velocity[i], m) / fmax(dot(m, line.tangent), flattest);
+        const scalar u = dot(velocity[i] - walls.velocity(line.wall, i, x[i]), m) / fmax(dot(m, line.tangent), flattest);
         const scalar z = height / spacing, s = line.depth / spacing;
         motion[k] = LineMotion{u, angle[i], speed[i], line.wall, 1 / ((1 + z * z) * (1 + s * s))}.stored();
     }

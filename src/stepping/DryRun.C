@@ -52,7 +52,7 @@ RunForecast forecastRun
     const scalar dt = liquid.units().toScaled(forecast.subStep.dt, dimensions::time);
     if (time.index() == 0) settle(liquid, near, walls, models, dt);
     SubStep subStep(liquid, near, walls, models);
-    const auto step = [&] { subStep(dt); };
+    const auto step = [&] { subStep(dt, time.value()); };
     forecast.firstSubStep = secondsOf(step);
     double sum = 0;
     do

@@ -59,7 +59,7 @@ SubSteps StepControl::divide(double deltaT, double maxSpeed, const Liquid& liqui
              << " limit), more than maxSubSteps " << maxSubSteps_ << '.';
         std::ostringstream expected;
         expected << "a deltaT of " << maxSubSteps_*steps.dt << " s at most, or a larger maxSubSteps, in system/controlDict.\n"
-                 << "    The liquid moves at up to " << maxSpeed << " m/s; where that is absurd, the run is diverging";
+                 << "    The liquid, or a wall at it, moves at up to " << maxSpeed << " m/s; where that is absurd, the run is diverging";
         throw FatalInputError(where_, text.str(), expected.str());
     }
     steps.count = std::max(1, int(count));

@@ -49,9 +49,9 @@ int settlingRounds(const Liquid& liquid, scalar dt)
 
 }
 
-void SubStep::operator()(scalar dt)
+void SubStep::operator()(scalar dt, double from)
 {
-    if (prepared_ != dt) prepare(dt);
+    if (prepared_ != Prepared{dt, from}) prepare(dt, from);
     prepared_.reset();
     if (held_) held_->begin(liquid_);
     lengthenLists(liquid_, near_, walls_, models_, [&] { predict(dt); }, [&] { force(dt); });
@@ -59,12 +59,13 @@ void SubStep::operator()(scalar dt)
     update(dt);
 }
 
-void SubStep::prepare(scalar dt)
+void SubStep::prepare(scalar dt, double from)
 {
+    walls_.moveTo(from, from + liquid_.units().toSI(dt, dimensions::time));
     predict(dt);
     search();
     force(dt);
-    prepared_ = dt;
+    prepared_ = Prepared{dt, from};
 }
 
 void SubStep::predict(scalar dt)

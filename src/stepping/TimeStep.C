@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stepping/TimeStep.H"
 
+#include <algorithm>
+
 namespace shizuku
 {
 
@@ -42,11 +44,17 @@ void TimeStep::settle()
     shizuku::settle(*setup_.liquid, near_, *setup_.walls, *setup_.models, scaled(divide()));
 }
 
-void TimeStep::make(const SubSteps& steps)
+SubSteps TimeStep::divide() const
+{
+    const double ofWalls = setup_.walls->speed(*setup_.liquid, time_.value(), time_.value() + time_.deltaT());
+    return control_.divide(time_.deltaT(), std::max(speeds_.now, ofWalls), *setup_.liquid, *setup_.models);
+}
+
+void TimeStep::make(const SubSteps& steps, double from)
 {
     for (int step = 1; step <= steps.count; ++step)
     {
-        subStep_(scaled(steps));
+        subStep_(scaled(steps), from + (step - 1) * steps.dt);
         if (step < steps.count) meter_.watch(*setup_.liquid);
     }
 }
@@ -54,7 +62,7 @@ void TimeStep::make(const SubSteps& steps)
 void TimeStep::prepareNext(const SubSteps& steps)
 {
     meter_.ask(*setup_.liquid);
-    subStep_.prepare(scaled(steps));
+    subStep_.prepare(scaled(steps), time_.value());
     speeds_ = meter_.take(*setup_.liquid);
 }
 

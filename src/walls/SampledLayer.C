@@ -22,6 +22,7 @@ struct VirtualVolume
     Kernel W;
     CellGridView grid;
     Span<const Position> position;
+    Span<const std::uint32_t> body;     // may be empty: all are of one
     Span<scalar> volume;
 
     HOST_DEVICE void operator()(int k) const
@@ -29,16 +30,41 @@ struct VirtualVolume
         scalar sum = 0;
         grid.forEachCandidate(AroundPoint{position[k], W.h}, [&](int l)
         {
+            if (body.size > 0 && body[l] != body[k]) return;
             if (isSameImage(position[k], position[l])) sum += W.W(norm(position[k] - position[l]));
         });
         volume[k] = 1 / sum;
     }
 };
 
-// Values of particles `from` behind each other.
-std::vector<std::uint32_t> chosen(const std::vector<std::uint32_t>& values, const std::vector<std::uint32_t>& from)
+constexpr std::uint32_t atRest = ~std::uint32_t(0);        // is its body
+
+struct MoveParticle
 {
-    std::vector<std::uint32_t> result;
+    Span<const BodyPose> poses;
+    Span<const BodyVelocity> velocities;
+    Span<const std::uint32_t> body;
+    Span<const Position> from;
+    Span<const Vec3> normalFrom;
+    Span<Position> position;
+    Span<Vec3> normal, velocity;
+
+    HOST_DEVICE void operator()(int k) const
+    {
+        if (body[k] == atRest) return;
+        const int b = int(body[k]);
+        const Place at = poses[b](placeOf(from[k]));
+        position[k] = positionAt(at);
+        normal[k] = poses[b].turned(normalFrom[k]);
+        velocity[k] = velocities[b](at);
+    }
+};
+
+template<class T>
+std::vector<T> chosen(const std::vector<T>& values, const std::vector<std::uint32_t>& from)
+{
+    std::vector<T> result;
+    result.reserve(from.size());
     for (const std::uint32_t k : from) result.push_back(values[k]);
     return result;
 }
@@ -50,7 +76,8 @@ SampledLayer::SampledLayer(const std::filesystem::path& casePath, const SourceLo
     folder_(casePath / "constant/solid"),
     position_(solid_.fields().add<Position>({.name = "positions", .dimensions = dimensions::length, .restarted = true, .begins = true})),
     normal_(solid_.fields().add<Vec3>({.name = "normals", .dimensions = dimensions::none, .restarted = true, .begins = true})),
-    volume_(solid_.fields().add<scalar>({.name = "volume", .dimensions = dimensions::volume}))
+    volume_(solid_.fields().add<scalar>({.name = "volume", .dimensions = dimensions::volume})),
+    order_(solid_.fields().add<std::uint32_t>({.name = "order", .dimensions = dimensions::none}))
 {
     if (!std::filesystem::exists(folder_ / "positions"))
     {
@@ -82,9 +109,40 @@ void SampledLayer::sort(const Liquid& liquid, scalar support, scalar reach)
     const scalar supports = support / liquid.spacing();
     near_.emplace(support, int(1.2f * 3.63f * supports * supports));
     reach_ = reach;
-    const Buffer<std::uint32_t>& order = grid_->build(position_.span(), solid_.all(), order_.span());
-    solid_.fields().reorder(order);
-    order_.upload(chosen(order_.download(), order.download()));
+    sortAnew();
+}
+
+void SampledLayer::sortAnew()
+{
+    solid_.fields().reorder(grid_->build(std::as_const(position_).span(), solid_.all(), std::as_const(order_).span()));
+}
+
+void SampledLayer::setBodies(const std::vector<int>& bodies, const Liquid& liquid)
+{
+    FieldRegistry& fields = solid_.fields();
+    moving_.emplace(Moving
+    {
+        fields.add<std::uint32_t>({.name = "body", .dimensions = dimensions::none}), fields.add<Position>({.name = "place", .dimensions = dimensions::length}),
+        fields.add<Vec3>({.name = "normal", .dimensions = dimensions::none}), fields.add<Vec3>({.name = "velocity", .dimensions = dimensions::velocity})
+    });
+    std::vector<std::uint32_t> body;
+    for (const int b : chosen(bodies, order_.download())) body.push_back(b < 0 ? atRest : std::uint32_t(b));
+    moving_->body.upload(body);
+    moving_->position.upload(position_.download());
+    moving_->normal.upload(normal_.download());
+    computeVirtualVolumes(liquid);
+}
+
+void SampledLayer::move(const WallBodies& bodies)
+{
+    if (!moving_ || solid_.all() == 0) return;
+    forEach(solid_.all(), MoveParticle
+    {
+        bodies.poses(), bodies.velocities(), std::as_const(moving_->body).span(), std::as_const(moving_->position).span(),
+        std::as_const(moving_->normal).span(), position_.span(), normal_.span(), moving_->velocity.span()
+    });
+    sortAnew();
+    if (planes_) planes_.emplace(grid_->view(), reach_, true);
 }
 
 // Lets go of all others, but for one where that are all, so that there is a layer in every part.
@@ -98,7 +156,6 @@ void SampledLayer::keep(const RowRectangle& rows)
     if (kept.empty()) kept.push_back(0);
     solid_.fields().reorder(Buffer<std::uint32_t>(kept));
     solid_.resize(int(kept.size()));
-    order_ = Buffer<std::uint32_t>(chosen(order_.download(), kept));
 }
 
 bool SampledLayer::follow(const Liquid& liquid)
@@ -117,7 +174,7 @@ bool SampledLayer::follow(const Liquid& liquid)
     held_ = wanted.widened(margin);
     keep(*held_);
     sort(liquid, support, reach);
-    if (planes_) planes_.emplace(grid_->view(), reach);
+    if (planes_) planes_.emplace(grid_->view(), reach, false);
     return true;
 }
 
@@ -125,7 +182,11 @@ void SampledLayer::computeVirtualVolumes(const Liquid& liquid)
 {
     std::visit
     (
-        [&]<class Kernel>(const Kernel& W) { forEach(solid_.all(), VirtualVolume<Kernel>{W, grid_->view(), position_.span(), volume_.span()}); },
+        [&]<class Kernel>(const Kernel& W)
+        {
+            const Span<const std::uint32_t> body = moving_ ? std::as_const(moving_->body).span() : Span<const std::uint32_t>{};
+            forEach(solid_.all(), VirtualVolume<Kernel>{W, grid_->view(), position_.span(), body, volume_.span()});
+        },
         liquid.kernel()
     );
 }
@@ -144,19 +205,18 @@ void SampledLayer::usePlanes(const Liquid& liquid, scalar reach)
     // Particles move, by less than half a spacing, after the lists are made.
     if (wanted > liquid.support()) sort(liquid, liquid.support() + 0.5f * liquid.spacing(), wanted);
     else sort(liquid, liquid.support(), liquid.support());
-    if (reach > 0) planes_.emplace(grid_->view(), reach_);
+    if (reach > 0) planes_.emplace(grid_->view(), reach_, moving_.has_value());
 }
 
 void SampledLayer::useCosines(const std::vector<scalar>& cosines, const std::vector<std::uint32_t>& laws)
 {
-    laws_ = laws.empty() ? Buffer<std::uint32_t>() : Buffer<std::uint32_t>(chosen(laws, order_.download()));
+    const std::vector<std::uint32_t> order = order_.download();
+    if (!laws.empty() && !laws_) laws_ = &solid_.fields().add<std::uint32_t>({.name = "law", .dimensions = dimensions::none});
+    if (!laws.empty()) laws_->upload(chosen(laws, order));
     anglesInUse_ = !cosines.empty();
     if (!anglesInUse_) return;
     if (!cosTheta_) cosTheta_ = &solid_.fields().add<scalar>({.name = "cosTheta", .dimensions = dimensions::none});
-    const auto order = order_.download();
-    std::vector<scalar> sorted(order.size());
-    for (std::size_t k = 0; k < sorted.size(); ++k) sorted[k] = cosines[order[k]];
-    cosTheta_->upload(sorted);
+    cosTheta_->upload(chosen(cosines, order));
 }
 
 void SampledLayer::search(const Liquid& liquid)
@@ -177,7 +237,7 @@ void SampledLayer::lengthen(const Liquid& liquid)
 
 void SampledLayer::fitPlanes(const Liquid& liquid)
 {
-    if (planes_) planes_->fit(liquid, grid_->view(), view(), near_->support());
+    if (planes_) planes_->fit(liquid, grid_->view(), view(), velocities(), near_->support());
 }
 
 WallParticlesView SampledLayer::view() const

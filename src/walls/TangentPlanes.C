@@ -32,6 +32,27 @@ struct FindAround
     }
 };
 
+// The mean velocity of the particles that give a plane, or nothing.
+struct MeanVelocity
+{
+    Span<const Vec3> ofSolid;
+    Span<Vec3> ofPlane;
+
+    using Sum = Vec3;
+    HOST_DEVICE void add(Sum& sum, scalar weight, int k) const { sum += weight * ofSolid[k]; }
+    HOST_DEVICE void store(int i, Sum sum, scalar total) const { ofPlane[i] = total > 0 ? 1 / total * sum : Vec3{}; }
+    HOST_DEVICE static Sum over(Team team, Sum sum) { return team.sum(sum); }
+};
+
+struct NoVelocity
+{
+    struct Sum {};
+    HOST_DEVICE void add(Sum&, scalar, int) const {}
+    HOST_DEVICE void store(int, Sum, scalar) const {}
+    HOST_DEVICE static Sum over(Team, Sum) { return {}; }
+};
+
+template<class Velocity>
 struct FitPlane
 {
     scalar spacing, listed, reach;          // listed: up to which distance the lists know
@@ -41,6 +62,7 @@ struct FitPlane
     WallParticlesView solid;
     Span<Vec3> normal;
     Span<Position> point;
+    Velocity velocity;
 
     HOST_DEVICE void operator()(int i, Team team) const
     {
@@ -58,6 +80,7 @@ struct FitPlane
         nearest = team.min(nearest);
         Vec3 direction, from;
         scalar along = 0, cosine = 0, total = 0;
+        typename Velocity::Sum velocities{};
         const auto add = [&](int k)
         {
             const Vec3 r = xi - solid.position[k];
@@ -70,6 +93,7 @@ struct FitPlane
             from += weight * r;
             along += weight * dot(solid.normal[k], r);
             cosine += weight * (solid.cosTheta.size > 0 ? solid.cosTheta[k] : 0);
+            velocity.add(velocities, weight, k);
         };
         const scalar within = nearest + 4 * spacing * spacing;
         if (within <= listed * listed) solid.near.forEach(i, add, team);
@@ -79,7 +103,9 @@ struct FitPlane
         from = team.sum(from);
         along = team.sum(along);
         cosine = team.sum(cosine);
+        velocities = Velocity::over(team, velocities);
         if (!team.first()) return;
+        velocity.store(i, velocities, total);
         const scalar length = norm(direction);
         normal[i] = {};
         if (total == 0 || length < 1e-6f * total) return;
@@ -94,20 +120,26 @@ struct FitPlane
 
 }
 
-TangentPlanes::TangentPlanes(const CellGridView& grid, scalar reach) : reach_(reach), around_(grid.start.size - 1)
+TangentPlanes::TangentPlanes(const CellGridView& grid, scalar reach, bool moves) : reach_(reach), moves_(moves), around_(grid.start.size - 1)
 {
     forEach(around_.size(), FindAround{grid, reach > grid.cellSize ? 2 : 1, around_.span()});
 }
 
-void TangentPlanes::fit(const Liquid& liquid, const CellGridView& grid, const WallParticlesView& solid, scalar listed)
+void TangentPlanes::fit(const Liquid& liquid, const CellGridView& grid, const WallParticlesView& solid, Span<const Vec3> velocity, scalar listed)
 {
     normal_.resizeDiscarding(liquid.all());
     point_.resizeDiscarding(liquid.all());
-    forEachTeam(liquid.owned(), FitPlane
+    velocity_.resizeDiscarding(moves_ ? liquid.all() : 0);
+    const auto fitWith = [&]<class Velocity>(const Velocity& mean)
     {
-        liquid.spacing(), listed, reach_, liquid.predicted.span(), grid, around_.span(), solid,
-        normal_.span(), point_.span()
-    });
+        forEachTeam(liquid.owned(), FitPlane<Velocity>
+        {
+            liquid.spacing(), listed, reach_, liquid.predicted.span(), grid, around_.span(), solid,
+            normal_.span(), point_.span(), mean
+        });
+    };
+    if (moves_) fitWith(MeanVelocity{velocity, velocity_.span()});
+    else fitWith(NoVelocity{});
 }
 
 }

@@ -45,7 +45,7 @@ WallSurface curvedOrPlane(const AnalyticSurface& surface, double unit)
         : surface.type == Type::sphere ? WallSurface::sphere : WallSurface::cylinder;
     return
     {
-        type, scaled(surface.point, unit), {surface.direction.x, surface.direction.y, surface.direction.z}, surface.radius / unit,
+        type, -1, scaled(surface.point, unit), {surface.direction.x, surface.direction.y, surface.direction.z}, surface.radius / unit,
         surface.liquidInside ? -1.0f : 1.0f, 0
     };
 }
@@ -57,8 +57,8 @@ std::vector<WallSurface> facesOf(const AnalyticSurface& box, double unit)
     std::vector<WallSurface> faces;
     for (const WallSurface::Direction n : {WallSurface::Direction{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
     {
-        faces.push_back({WallSurface::planeAcross(n.x, n.y, n.z), low, n, 0, 1, 0});
-        faces.push_back({WallSurface::planeAcross(n.x, n.y, n.z), high, {-n.x, -n.y, -n.z}, 0, 1, 0});
+        faces.push_back({WallSurface::planeAcross(n.x, n.y, n.z), -1, low, n, 0, 1, 0});
+        faces.push_back({WallSurface::planeAcross(n.x, n.y, n.z), -1, high, {-n.x, -n.y, -n.z}, 0, 1, 0});
     }
     return faces;
 }
@@ -100,6 +100,73 @@ Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liqu
         constraints_.constrain(images->sides().box());
         refuseBreaksAtSides(casePath, dict_, images->sides(), liquid);
     }
+    useBodies(liquid, WallMotions::read(casePath));
+    moveTo(startTime, startTime);
+}
+
+// Nothing is done, and nothing needed, where no wall moves.
+void Walls::useBodies(const Liquid& liquid, WallMotions motions)
+{
+    if (motions.none()) return;
+    bodies_ = WallBodies(std::move(motions), liquid.units());
+    for (std::size_t a = 0; a < analytic_.size(); ++a) analytic_[a].body = bodies_.motions().indexOf(surfaceNames_[a]);
+    given_ = analytic_;
+    giveSurfaces();
+    if (layer_) layer_->setBodies(bodies_.motions().indicesOf(case_, readSolidParticles(case_)), liquid);
+    if (bodies_.turn()) constraints_.constrainAll();        // its normals are others in each step
+}
+
+void Walls::moveTo(double from, double to)
+{
+    if (bodies_.none()) return;
+    bodies_.moveTo(from, to);
+    for (std::size_t a = 0; a < analytic_.size(); ++a)
+    {
+        WallSurface& surface = analytic_[a];
+        if (surface.body < 0) continue;
+        const BodyPose& pose = bodies_.pose(surface.body);
+        surface.point = pose(given_[a].point);
+        if (!bodies_.motions().walls()[surface.body].motion->axis()) continue;
+        surface.direction = pose.turned(given_[a].direction);
+        if (surface.isFlat()) surface.type = WallSurface::planeAcross(surface.direction.x, surface.direction.y, surface.direction.z);
+    }
+    giveSurfaces();
+    if (layer_) layer_->move(bodies_);
+}
+
+void Walls::refuseMotions(const Liquid& liquid, const WallMotions& motions, double time) const
+{
+    constexpr double most = 0.01;               // spacings
+    const double spacing = liquid.properties().spacing;
+    const WallMotions& former = bodies_.motions();
+    const auto refuse = [&](const std::string& wall, const std::string& what)
+    {
+        const Dictionary walls = Dictionary::read(case_ / "constant/walls");
+        throw FatalInputError(walls.where(walls.found(wall) ? wall : ""), "The motion of the wall '" + wall + "' was changed: " + what, "a motion that goes on from where the wall is, or a new run");
+    };
+    for (const MovingWall& wall : former.walls()) if (motions.indexOf(wall.name) < 0) refuse(wall.name, "it has none any more, which stop does");
+    for (const MovingWall& wall : motions.walls())
+    {
+        const int before = former.indexOf(wall.name);
+        if (before < 0) refuse(wall.name, "it had none when the run began");
+        const WallMotion& was = *former.walls()[before].motion;
+        const auto axis = was.axis(), axisNow = wall.motion->axis();
+        if (axis.has_value() != axisNow.has_value()) refuse(wall.name, axis ? "it turns no more" : "it turns now");
+        const Pose change = wall.motion->at(time).since(was.at(time));
+        const Vector3 middle = axis ? axis->origin : Vector3();
+        double jump = length(change(middle) - middle);
+        constexpr double arm = 100;             // spacings: a drop's size
+        for (const Vector3& away : {Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1)}) jump = std::max(jump, arm * spacing * length(change.turned(away) - away));
+        if (!(jump > most * spacing)) continue;
+        std::ostringstream text;
+        text << "it would jump by " << jump << " m at " << time << " s";
+        refuse(wall.name, text.str());
+    }
+}
+
+void Walls::useMotions(const Liquid& liquid, WallMotions motions)
+{
+    if (!motions.none()) bodies_ = WallBodies(std::move(motions), liquid.units());
 }
 
 void Walls::use(const Liquid& liquid, WallUse use)
@@ -297,7 +364,7 @@ void Walls::refuseLiquidInside(const Liquid& liquid) const
         refuse(inside->particle, name, dict_.where(name));
     }
     if (particles() == 0) return;
-    const SolidParticles solid = readSolidParticles(case_);
+    const SolidParticles solid = readSolidParticles(case_, startTime_);
     if (const auto inside = liquidInside(liquid, solid)) refuse(inside->particle, solid.patches[inside->wall], dict_.where());
 }
 
@@ -305,15 +372,17 @@ std::string Walls::solidAround(const Liquid& liquid) const
 {
     if (const auto inside = liquidInside(liquid, surfaces_)) return surfaceNames_[inside->wall];
     if (particles() == 0) return {};
-    const SolidParticles solid = readSolidParticles(case_);
+    const SolidParticles solid = readSolidParticles(case_, startTime_);
     const auto inside = liquidInside(liquid, solid);
     return inside ? solid.patches[inside->wall] : std::string();
 }
 
 WallView Walls::view(const Liquid& liquid) const
 {
-    if (!layer_) return {{}, surfaces_, {}, liquid.position.span()};
-    return {layer_->view(), surfaces_, layer_->planes(), liquid.position.span()};
+    const WallMotionView motion = bodies_.none() ? WallMotionView{}
+        : WallMotionView{bodies_.dt(), bodies_.velocities(), layer_ ? layer_->velocities() : Span<const Vec3>{}, layer_ ? layer_->planeVelocities() : Span<const Vec3>{}};
+    if (!layer_) return {{}, surfaces_, {}, liquid.position.span(), motion};
+    return {layer_->view(), surfaces_, layer_->planes(), liquid.position.span(), motion};
 }
 
 }

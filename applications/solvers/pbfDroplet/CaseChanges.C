@@ -18,6 +18,7 @@ namespace
 {
 
 const char* const wettabilityFile = "constant/wettability";
+const char* const wallsFile = "constant/walls";
 
 // spacing, kernel and density make the particles what they are.
 void refuseFixed(const Dictionary& former, const Dictionary& now)
@@ -30,6 +31,21 @@ void refuseFixed(const Dictionary& former, const Dictionary& now)
         (
             now.where(), "Entry '" + change.entry + "' was changed from " + change.before + " to " + change.after
           + ", which a run cannot follow", change.before + ", or a new run"
+        );
+    }
+}
+
+// Walls are where and what the run began with, but for how they move.
+void refuseOtherWalls(const std::vector<EntryChange>& changes, const Dictionary& now)
+{
+    for (const EntryChange& change : changes)
+    {
+        const std::vector<std::string> names = now.dictKeys();
+        if (std::any_of(names.begin(), names.end(), [&](const std::string& wall) { return change.entry.starts_with(wall + ".motion."); })) continue;
+        throw FatalInputError
+        (
+            now.where(), "Entry '" + change.entry + "' was changed from " + change.before + " to " + change.after + ", which a run cannot follow",
+            change.before + ", or a new run; of walls a run follows `motion` alone"
         );
     }
 }
@@ -49,7 +65,7 @@ std::string rangeOf(const std::vector<double>& theta)
 CaseChanges::CaseChanges(const Time& time)
 {
     for (const std::string file :
-        {"system/solution", "constant/liquidProperties", "constant/models", "constant/g", wettabilityFile})
+        {"system/solution", "constant/liquidProperties", "constant/models", "constant/g", wettabilityFile, wallsFile})
     {
         const auto path = time.casePath() / file;
         dictionaries_.push_back({WatchedFile(path), readOrEmpty(path)});
@@ -79,6 +95,11 @@ public:
         models.emplace(time.casePath(), solution, liquid, *setup.walls);
         solution.refuseUnused();
         if (liquid.ghosts().mayBe()) models->refuseGhostBlind("The liquid goes on in other parts, or across sides, which it cannot");
+        if (anew.walls)
+        {
+            motions = WallMotions::read(time.casePath());
+            setup.walls->refuseMotions(liquid, *motions, time.value());
+        }
         if (!models->angles || setup.walls->particles() == 0) return;
         const std::optional<WallAngles>& angles = setup.walls->angles();
         if (anew.wettability) models->angles->particles = caseTheta(time.casePath());
@@ -123,6 +144,7 @@ public:
 
     Former former;
     std::vector<Dictionary> now;
+    std::optional<WallMotions> motions;     // where walls have changed
     std::optional<Models> models;           // behind `former`: they go before their fields
 };
 
@@ -145,6 +167,7 @@ bool CaseChanges::apply(const Time& time, CaseSetup& setup)
             std::vector<Dictionary> now = readAll();
             refuseFixed(dictionaries_[0].former, now[0]);
             refuseFixed(dictionaries_[1].former, now[1]);
+            refuseOtherWalls(differences(dictionaries_.back().former, now.back()), now.back());
             fresh.emplace(time, setup, std::move(now), anew_);
             return fresh->text();
         });
@@ -188,6 +211,7 @@ std::string CaseChanges::note(std::uint32_t changed, const std::filesystem::path
         const std::string name = std::filesystem::relative(dictionaries_[d].file.path(), casePath).string();
         add(name);
         if (name == wettabilityFile) anew_.wettability = true;
+        if (name == wallsFile) anew_.walls = true;
     }
     if (changed >> dictionaries_.size() & 1)
     {
@@ -202,6 +226,7 @@ void CaseChanges::take(const Time& time, CaseSetup& setup, Fresh fresh)
     Walls& walls = *setup.walls;
     const std::optional<WallAngles> formerAngles = walls.angles();
     fresh.former.liquid = nullptr;
+    if (fresh.motions) walls.useMotions(*setup.liquid, std::move(*fresh.motions));
     *setup.models = std::move(*fresh.models);
     setup.models->takeEffect(*setup.liquid, walls);
     const std::optional<WallAngles>& angles = walls.angles();

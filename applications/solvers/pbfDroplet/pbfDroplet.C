@@ -85,7 +85,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         time.advance();
         run.keepBalance(near);
 
-        step.make(steps);
+        step.make(steps, from);
         flow.moved(steps.dt);
         interruption = stopWhereSignalled(time, signals, parts);
         const bool densities = time.reportDue() || functions.lookAtDensities(time);

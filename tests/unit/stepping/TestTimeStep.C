@@ -74,7 +74,7 @@ TEST(TimeStep, IsMadeOfItsSubSteps)
     EXPECT_EQ(steps.limit, "Courant");
     for (int n = 0; n < 2; ++n)
     {
-        step.make(steps);
+        step.make(steps, 0);
         step.prepareNext(steps);
     }
 
@@ -97,7 +97,7 @@ TEST(TimeStep, KeepsTheFastestOfItsSubSteps)
     TimeStep step(*drop.time, *drop.setup, *drop.near);
     EXPECT_NEAR(step.speeds().now, 0.99, 1e-6);        // read into single precision
     const SubSteps steps = step.divide();
-    step.make(steps);
+    step.make(steps, 0);
     step.prepareNext(steps);
     EXPECT_GT(step.speeds().now, 0);
     EXPECT_GE(step.speeds().most, step.speeds().now);

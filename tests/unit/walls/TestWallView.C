@@ -20,7 +20,7 @@ public:
     {
         WallSurfacesView view;
         view.halfSpace = {{table.data(), int(table.size())}, range};
-        for (const Vec3& n : normals) view.surface[view.count++] = {WallSurface::plane, {}, {n.x, n.y, n.z}, 0, 1, 0};
+        for (const Vec3& n : normals) view.surface[view.count++] = {WallSurface::plane, -1, {}, {n.x, n.y, n.z}, 0, 1, 0};
         return view;
     }
 

@@ -4,15 +4,17 @@
 #include "core/dictionary/Dictionary.H"
 #include "core/paths/Existence.H"
 #include "meshes/StlFile.H"
+#include "wallMotions/WallMotions.H"
 
 namespace shizuku
 {
 
-CurvedWalls readCurvedWalls(const std::filesystem::path& casePath, const std::set<std::string>& patches)
+CurvedWalls readCurvedWalls(const std::filesystem::path& casePath, const std::set<std::string>& patches, double time)
 {
     CurvedWalls curved;
     if (patches.empty()) return curved;
     const Dictionary walls = Dictionary::read(casePath/"constant/walls");
+    const WallMotions motions = WallMotions::read(casePath);
     for (const std::string& name : walls.dictKeys())
     {
         const Dictionary wall = walls.subDict(name);
@@ -21,6 +23,8 @@ CurvedWalls readCurvedWalls(const std::filesystem::path& casePath, const std::se
         if (file.extension() != ".stl" || !isThere(file)) continue;
 
         const double scale = wall.lookupOr("scale", 1.0);
+        const int moving = motions.indexOf(name);
+        const Pose pose = moving < 0 ? Pose() : motions.walls()[moving].motion->at(time);
         const PatchedSurface surface = readStl(file, name);
         for (std::size_t f = 0; f < surface.mesh.faces.size(); ++f)
         {
@@ -28,7 +32,7 @@ CurvedWalls readCurvedWalls(const std::filesystem::path& casePath, const std::se
             if (!patches.contains(patch)) continue;
             curved.patches.insert(patch);
             const int first = int(curved.mesh.vertices.size());
-            for (const int v : surface.mesh.faces[f]) curved.mesh.vertices.push_back(scale*surface.mesh.vertices[v]);
+            for (const int v : surface.mesh.faces[f]) curved.mesh.vertices.push_back(pose(scale*surface.mesh.vertices[v]));
             curved.mesh.faces.push_back({first, first + 1, first + 2});
         }
     }

@@ -16,6 +16,7 @@
 #include "vtk/Picture.H"
 #include "vtk/PvtpFile.H"
 #include "vtk/VirtualDisplay.H"
+#include "wallMotions/WallMotions.H"
 
 #include <algorithm>
 #include <cmath>
@@ -161,9 +162,9 @@ bool isFace(const Plane& plane, const SolidParticles& solid, double spacing)
 
 // The first plane wall is the floor. Other patches are shown by the surface that they were sampled from, or by their
 // particles where that is not there.
-void addWalls(PictureScene& scene, const std::filesystem::path& casePath)
+void addWalls(PictureScene& scene, const std::filesystem::path& casePath, double time)
 {
-    const CaseWalls walls = readCaseWalls(casePath);
+    const CaseWalls walls = readCaseWalls(casePath, time);
     std::set<std::string> shown(walls.solid.patches.begin(), walls.solid.patches.end());
     for (const std::string& name : walls.names)
     {
@@ -176,7 +177,7 @@ void addWalls(PictureScene& scene, const std::filesystem::path& casePath)
     {
         if (surface.type == AnalyticSurface::Type::cylinder && surface.liquidInside) addGlass(scene, surface);
     }
-    const CurvedWalls curved = readCurvedWalls(casePath, shown);
+    const CurvedWalls curved = readCurvedWalls(casePath, shown, time);
     scene.walls = curved.mesh;
     for (std::size_t i = 0; i < walls.solid.positions.size(); ++i)
     {
@@ -209,7 +210,7 @@ void renderTime(const Arguments& args, const TimeFolder& time, const PictureView
     PictureScene scene;
     scene.spacing = readSpacing(args.casePath());
     addLiquid(scene, time);
-    addWalls(scene, args.casePath());
+    addWalls(scene, args.casePath(), time.value);
     addFloorPattern(scene, args.casePath(), time);
     scene.up = upward(args.casePath(), scene.floor);
     std::ostringstream caption;

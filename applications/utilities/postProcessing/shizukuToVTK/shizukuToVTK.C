@@ -3,7 +3,7 @@
 //
 //     VTK/liquid/liquid_<index>.vtp       particles: U [m/s], id, and every other field of <time>/liquid in its SI unit
 //     VTK/surface/surface_<index>.vtp     mesh of meshSurface, with normals
-//     VTK/solid/solid_<index>.vtp         solid particles: normals out of the solid, patch (its number), theta [degrees]
+//     VTK/solid/solid_<index>.vtp         solid particles, where they are at the time: normals out of the solid, patch (its number), theta [degrees]
 //     VTK/<name>.pvd, <name>.vtp.series   the animations
 //
 // With -parallel each part writes the particles that it has read, a share of the file, as a piece of liquid_<index>.pvtp; so it does with a surface that is
@@ -24,6 +24,7 @@
 #include "parallel/AllParts.H"
 #include "parallel/ParallelRun.H"
 #include "vtk/VtkSeries.H"
+#include "wallMotions/WallMotions.H"
 
 #include <algorithm>
 #include <iostream>
@@ -34,20 +35,23 @@ using namespace shizuku;
 namespace
 {
 
-// The solid particles with the newest theta at or before the time; a new file only where that is another one.
+// The solid particles with the newest theta at or before the time; a new file only where that is another one, or where walls move.
 class SolidConverter
 {
 public:
     explicit SolidConverter(const std::filesystem::path& casePath) : case_(casePath)
     {
-        if (haveSolidParticles(casePath)) solid_ = readSolidParticles(casePath);
+        if (!haveSolidParticles(casePath)) return;
+        solid_ = readSolidParticles(casePath);
+        moves_ = !WallMotions::read(casePath).none();
     }
 
     void add(VtkSeries& series, const TimeFolder& time, int index, double spacing)
     {
         if (solid_.positions.empty()) return;
         const auto instance = findInstance(case_, time.value, "solid/theta");
-        if (series.times() > 0 && instance == instance_)
+        if (moves_) solid_ = readSolidParticles(case_, time.value);
+        else if (series.times() > 0 && instance == instance_)
         {
             series.repeat(time.value);
             return;
@@ -71,6 +75,7 @@ public:
 private:
     std::filesystem::path case_;
     SolidParticles solid_;
+    bool moves_ = false;
     std::filesystem::path instance_;    // of the theta written last
 };
 

@@ -127,6 +127,7 @@ void run(const Arguments& args)
         refuseSharedPatches(solid, sampled.particles, wall);
         solid.append(sampled.particles);
         solid.marks.push_back(SurfaceMark::of(wall));
+        solid.marks.back().patches = sampled.particles.patches;
         solid.marks.back().form = surface.closed ? "closed" : surface.branches ? "branching" : "open";
     }
     writeSolidParticles(args.casePath(), solid, format);

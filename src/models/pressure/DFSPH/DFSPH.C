@@ -57,7 +57,8 @@ struct Factor
     }
 };
 
-// sum_j V (u_i - u_j) . grad W_ij + u_i . grad(walls): of the way made, the change of rho/rho0 (11); of velocities its rate.
+// sum_j V (u_i - u_j) . grad W_ij + u_i . grad(walls): of the way made, the change of rho/rho0 (11), which begins with walls where they are at the step's end; of
+// velocities its rate, with those of walls.
 template<class Kernel>
 struct Convergence
 {
@@ -73,6 +74,7 @@ struct Convergence
         const Position xi = at[i];
         const Vec3 ui = u(i);
         scalar sum = dot(ui, walls.gradient(i, xi, W));
+        if constexpr (Motion::wallsMove) sum -= walls.flux(i, xi, W);
         near.forEach(i, [&](int j)
         {
             const Vec3 r = xi - at[j];
@@ -84,6 +86,8 @@ struct Convergence
 
 struct WayMade
 {
+    static constexpr bool wallsMove = false;
+
     Span<const Position> predicted, position;
 
     HOST_DEVICE Vec3 operator()(int i) const { return predicted[i] - position[i]; }
@@ -91,6 +95,8 @@ struct WayMade
 
 struct VelocityOf
 {
+    static constexpr bool wallsMove = true;
+
     Span<const Vec3> velocity;
 
     HOST_DEVICE Vec3 operator()(int i) const { return velocity[i]; }

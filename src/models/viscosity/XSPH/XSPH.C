@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // XSPH: velocities drift towards their neighbours' mean (Monaghan 1989; Macklin and Mueller 2013, equation (17)).
 //
-//     u_i += c [ sum_j V (u_j - u_i) W_ij - u_i (walls) ]
+//     u_i += c [ sum_j V (u_j - u_i) W_ij - v_i (walls) ],      v_i = u_i - w
 //
 // Not a physical viscosity: nu does not enter. c is the share of a step; with it alone the damping of a second depends on the step.
 // perCapillaryStep, p, is the share of the time t_c = sqrt(rho d^3/(2 pi sigma)): a step dt takes 1 - (1 - p)^(dt/t_c) where that is
 // more than c. Liquid in long steps is damped as much as in shorter ones, and the noise of short ones by c. It needs a sigma.
-// With noSlip the walls, at rest, take part by their kernel density. slipAbove, s, is the speed up to which they do wholly, in spacings
+// With noSlip the walls take part by their kernel density, with w, the mean of their velocities. slipAbove, s, is the speed up to which they do wholly, in spacings
 // a capillary step t_c: what is faster is braked as at that speed. A share of u reaches a support into the liquid, which is right for noise, and for
 // flows whose boundary layer is as thick. It needs a sigma; 0 is no limit.
 //
-//     u_i -= c min(1, s d/(t_c |u_i|)) u_i (walls)
+//     u_i -= c min(1, s d/(t_c |v_i|)) v_i (walls)
 //
 //     viscosity   XSPH;
 //     XSPHCoeffs  { c 0.2; perCapillaryStep 0.7; noSlip yes; slipAbove 0.1; }
@@ -47,7 +47,11 @@ struct Smooth
         near.forEach(i, xi, x, [&](auto j, auto r) { sum += W.W(norm(r)) * (velocity[j] - ui); }, team);
         Vec3 change = volume * team.sum(sum);
         if (!team.first()) return;
-        if (noSlip) change -= walls.density(i, xi, W) * fmin(slipAbove / norm(ui), 1) * ui;
+        if (noSlip)
+        {
+            const Vec3 over = ui - walls.meanVelocity(i, xi, W);
+            change -= walls.density(i, xi, W) * fmin(slipAbove / norm(over), 1) * over;
+        }
         smoothed[i] = ui + c * change;
     }
 };

@@ -3,7 +3,7 @@
 //
 //     du_i/dt = sum_j 2 nu V (x_ij . grad W_ij)/(r^2 + 0.01 h^2) (u_i - u_j)
 //
-// Walls are at rest; with noSlip their share is summed too: of sampled ones by the same sum, 0.01 h^2 included, of analytic ones by the
+// With noSlip the share of walls is summed too, with their velocities for u_j: of sampled ones by the same sum, 0.01 h^2 included, of analytic ones by the
 // half-space's integral of 2 W'(r)/r (HalfSpace.H), without it. Explicit, so the
 // step is limited to 0.125 d^2/nu.
 //
@@ -42,11 +42,11 @@ struct Diffuse
         {
             walls.particles.near.forEach(i, [&](int k)
             {
-                sum += walls.particles.volume[k] * weight(norm(xi - walls.particles.position[k])) * ui;
+                sum += walls.particles.volume[k] * weight(norm(xi - walls.particles.position[k])) * (ui - walls.motion.ofParticle(k));
             });
-            walls.forEachSurface(i, xi, [&](const WallSurface&, const WallSurface::Nearest&, const HalfSpaceValues& values)
+            walls.forEachSurface(i, xi, [&](const WallSurface& surface, const WallSurface::Nearest&, const HalfSpaceValues& values)
             {
-                sum -= values.drag * ui;
+                sum -= values.drag * (ui - walls.velocity(surface, i, xi));
             });
         }
         diffused[i] = ui + nuDt * sum;

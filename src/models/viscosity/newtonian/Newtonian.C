@@ -2,7 +2,7 @@
 // The viscosity nu of constant/liquidProperties, as a Newtonian liquid has it: du/dt = div(2 nu D), with a free surface that bears no stress and walls that
 // hold the liquid. Besides, noise is taken out.
 //
-//     u + dt (A u + T u) = u*,        A: PairStress.H,     T: WallDrag.H
+//     u + dt (A u + T u) = u* + dt T w,        A: PairStress.H,     T: WallDrag.H, with the velocities w of walls (MovingWallDrag.H)
 //
 // u* is what pressure and forces have made. Where a step is short for the liquid's nu, as it is of water, A u* does for A u: where no eigenvalue of dt A is above a
 // quarter, which are at most 8 nu dt sum_j V k_ij. Walls are implicit at all times. Else the system is solved, so that no step is too long: by conjugate gradients
