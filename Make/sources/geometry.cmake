@@ -74,6 +74,12 @@ set(SHIZUKU_GEOMETRY_SOURCES
     thetaModels/StripesTheta.C
     thetaModels/ThetaField.C
     thetaModels/ThetaModel.C
+    meshes/VertexNeighbours.C
+    drops/foot/CleanFoot.C
+    drops/foot/FootPlaces.C
+    drops/foot/SmoothedLiquid.C
+    drops/foot/WallsNear.C
+    drops/foot/WedgeLevel.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.
