@@ -80,6 +80,10 @@ set(SHIZUKU_GEOMETRY_SOURCES
     drops/foot/SmoothedLiquid.C
     drops/foot/WallsNear.C
     drops/foot/WedgeLevel.C
+    optics/LiquidLook.C
+    optics/LiquidRays.C
+    optics/Studio.C
+    optics/TriangleTree.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.

@@ -2,7 +2,7 @@
 // Converts a case to .vtp files and animations for ParaView: the liquid's particles, its surface, the solid particles.
 //
 //     VTK/liquid/liquid_<index>.vtp       particles: U [m/s], id, and every other field of <time>/liquid in its SI unit
-//     VTK/surface/surface_<index>.vtp     mesh of meshSurface, with normals
+//     VTK/surface/surface_<index>.vtp     mesh of meshSurface, with normals and the particles' fields (SurfaceFields.H); in pieces without these
 //     VTK/solid/solid_<index>.vtp         solid particles: normals out of the solid, patch (its number), theta [degrees]
 //     VTK/<name>.pvd, <name>.vtp.series   the animations
 //
@@ -13,6 +13,7 @@
 // times, whichever are selected. The animations keep what was converted before of times that are not selected now.
 
 #include "LiquidFields.H"
+#include "SurfaceFields.H"
 
 #include "caseFiles/LiquidFiles.H"
 #include "caseFiles/SolidParticles.H"
@@ -149,7 +150,7 @@ private:
         {
             inAllParts(parts_, [&]
             {
-                if (parts_.part() == converter) surface_.add(time.value, index, vtpOf(readPly(liquidSurfaceFile(time.path))), spacing_);
+                if (parts_.part() == converter) surface_.add(time.value, index, withFields(vtpOf(readPly(liquidSurfaceFile(time.path))), time), spacing_);
                 else surface_.addOther(time.value, index);
             });
         }
@@ -159,6 +160,19 @@ private:
             inAllParts(parts_, [&] { own = ownPieces(file, parts_); });
             surface_.addPiece(time.value, index, vtpOf(own), spacing_, parts_);
         }
+    }
+
+    // Where the time has particles.
+    VtpContent withFields(VtpContent surface, const TimeFolder& time) const
+    {
+        if (!std::filesystem::exists(time.path/"liquid/positions")) return surface;
+        const auto all = [](std::size_t n) { return ElementRange{0, n}; };
+        const std::vector<Vector3> particles = readLiquidPositions(time.path, all);
+        for (FieldData& field : fieldsAt(surface.points, particles, fields_.read(time.path, particles.size(), all), spacing_))
+        {
+            if (field.name != "normals") surface.pointFields.push_back(std::move(field));
+        }
+        return surface;
     }
 
     void finish() const
