@@ -11,7 +11,7 @@ const std::vector<LiquidLook>& liquidLooks()
     // Indices of refraction at 20 degrees Celsius and 589 nm. Millimetres of water have no colour: that of a few metres tells it from glass.
     static const std::vector<LiquidLook> looks
     {
-        {"water", 1.333, {0.80, 0.93, 0.98}, {}, false},
+        {"water", 1.333, {0.87, 0.95, 0.98}, {}, false},
         {"honey", 1.49, {0.86, 0.42, 0.04}, {}, false},
         {"mercury", 1, {}, {0.78, 0.78, 0.79}, true},
         {"ink", 1.34, {0.02, 0.03, 0.20}, {}, false},

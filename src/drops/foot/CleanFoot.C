@@ -204,7 +204,7 @@ CleanFoot::CleanFoot(const WallsNear& walls, double spacing, double support)
 double CleanFoot::clean(TriangleMesh& mesh, const std::vector<Vector3>& particles, double volume) const
 {
     const double reach = stays*support_, most = 0.5*spacing_;
-    if (mesh.faces.empty()) return 0;
+    if (mesh.faces.empty()) return volume > 0 ? std::nan("") : 0;
     const std::vector<FootPlace> places = footPlaces(mesh, walls_, reach, wetted*spacing_);
     if (walls_.any())
     {

@@ -142,11 +142,11 @@ TEST_F(ParallelTools, MeshSurfaceLeavesTheMeshOfOneProcess)
     }
 }
 
-// The pieces' triangles behind each other are those of one process, and close up at the seams.
+// The pieces' triangles behind each other are those of one process, and close up at the seams. Pieces are not cleaned.
 TEST_F(ParallelTools, MeshSurfaceWritesPiecesThatJoin)
 {
     writeTime("0", {drop(100, 1000, 2e-3), drop(60, 600, -2e-3)}, false);
-    write("system/meshSurfaceDict", "conserveVolume yes;\n");
+    write("system/meshSurfaceDict", "conserveVolume yes;\nclean no;\n");
     ASSERT_EQ(call("meshSurface", "-device cpu").status, 0);
     const TriangleMesh whole = readPly(path()/"0/surface/liquid.ply");
     fs::remove(path()/"0/surface/liquid.ply");

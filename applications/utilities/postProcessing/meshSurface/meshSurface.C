@@ -47,7 +47,7 @@ Formats chosenFormats(const Arguments& args, const std::vector<std::string>& ofC
 
 std::vector<TimeFolder> timesWithLiquid(const Arguments& args)
 {
-    const auto holds = [](const TimeFolder& time) { return std::filesystem::exists(time.path/"liquid/positions"); };
+    const auto holds = [](const TimeFolder& time) { return std::filesystem::exists(time.path/"liquid"); };
     return selectTimesWith(args, holds, "liquid", "<time>/liquid/positions, of fillLiquid or the solver");
 }
 
