@@ -214,8 +214,9 @@ TEST_F(ParallelTools, ShizukuToVtkWritesPiecesOfWhatOneProcessWrites)
 TEST_F(ParallelTools, ASurfaceInPiecesIsConvertedAndDrawn)
 {
     writeTime("0.01", {drop(90)}, false);
+    write("system/meshSurfaceDict", "clean no;\n");
     ASSERT_EQ(call("meshSurface", "-device cpu -time 0.01 -formats '(ply vtp)'").status, 0);
-    const std::string options = "-time 0.01 -size 200x120 -output ";
+    const std::string options = "-time 0.01 -look plain -size 200x120 -output ";
     ASSERT_EQ(call("renderCase", options + (path()/"mesh.png").string()).status, 0);
     const vtkIdType triangles = readVtp(path()/"0.01/surface/liquid.vtp")->GetNumberOfPolys();
     fs::remove_all(path()/"0.01/surface");
