@@ -84,6 +84,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     optics/LiquidRays.C
     optics/Studio.C
     optics/TriangleTree.C
+    meshes/MeshCurvature.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.

@@ -130,7 +130,8 @@ TEST_F(DropCase, VtkReadsEveryFileWithItsTime)
                 EXPECT_DOUBLE_EQ(time, name == "solid" ? 0 : times.back());
                 EXPECT_DOUBLE_EQ(data->GetFieldData()->GetArray("particleSpacing")->GetTuple1(0), spacing);
                 EXPECT_EQ(data->GetPointData()->HasArray("U"), name != "solid");
-                EXPECT_EQ(data->GetPointData()->HasArray("theta"), name == "solid");
+                EXPECT_EQ(data->GetPointData()->HasArray("theta"), name != "liquid");
+                EXPECT_EQ(data->GetPointData()->HasArray("curvature"), name == "surface");
             }
             EXPECT_EQ(times, (std::vector<double>{0, 0.01, 0.025}));
         }
@@ -150,6 +151,18 @@ TEST_F(DropCase, ShizukuToVtkPutsTheFieldsOnTheSurface)
     {
         EXPECT_NEAR(velocity.GetComponent(i, 0), 0.01*data->GetPoint(i)[2]/spacing, 0.0125);
         EXPECT_EQ(velocity.GetComponent(i, 1), 0);
+    }
+    // On the half of the floor that has 60 degrees.
+    vtkDataArray& theta = *data->GetPointData()->GetArray("theta");
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+    {
+        const double height = data->GetPoint(i)[2]/spacing;
+        if (height > 0.7 && height < 0.8) continue;
+        if (height < 0.75)
+        {
+            EXPECT_EQ(theta.GetTuple1(i), 60) << height;
+        }
+        else EXPECT_TRUE(std::isnan(theta.GetTuple1(i))) << height;
     }
 }
 

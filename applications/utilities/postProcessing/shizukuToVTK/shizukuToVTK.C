@@ -2,7 +2,8 @@
 // Converts a case to .vtp files and animations for ParaView: the liquid's particles, its surface, the solid particles.
 //
 //     VTK/liquid/liquid_<index>.vtp       particles: U [m/s], id, and every other field of <time>/liquid in its SI unit
-//     VTK/surface/surface_<index>.vtp     mesh of meshSurface, with normals and the particles' fields (SurfaceFields.H); in pieces without these
+//     VTK/surface/surface_<index>.vtp     mesh of meshSurface: normals, curvature [1/m], theta [degrees] of the wall where it is near, NaN elsewhere, and the
+//                                         particles' fields (SurfaceFields.H); in pieces with normals alone
 //     VTK/solid/solid_<index>.vtp         solid particles: normals out of the solid, patch (its number), theta [degrees]
 //     VTK/<name>.pvd, <name>.vtp.series   the animations
 //
@@ -21,12 +22,15 @@
 #include "core/arguments/runApplication.H"
 #include "core/messages/Progress.H"
 #include "core/time/Time.H"
+#include "drops/foot/WallsNear.H"
+#include "meshes/MeshCurvature.H"
 #include "meshes/PlyFile.H"
 #include "parallel/AllParts.H"
 #include "parallel/ParallelRun.H"
 #include "vtk/VtkSeries.H"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <optional>
 
@@ -150,7 +154,7 @@ private:
         {
             inAllParts(parts_, [&]
             {
-                if (parts_.part() == converter) surface_.add(time.value, index, withFields(vtpOf(readPly(liquidSurfaceFile(time.path))), time), spacing_);
+                if (parts_.part() == converter) surface_.add(time.value, index, withFields(readPly(liquidSurfaceFile(time.path)), time), spacing_);
                 else surface_.addOther(time.value, index);
             });
         }
@@ -162,17 +166,37 @@ private:
         }
     }
 
-    // Where the time has particles.
-    VtpContent withFields(VtpContent surface, const TimeFolder& time) const
+    VtpContent withFields(const TriangleMesh& mesh, const TimeFolder& time)
     {
+        VtpContent surface = vtpOf(mesh);
+        constexpr Dimensions perLength{{0, -1, 0, 0, 0, 0, 0}};
+        surface.pointFields.push_back({"curvature", FieldType::scalar, perLength, false, meanCurvature(mesh)});
+        addTheta(surface, time);
         if (!std::filesystem::exists(time.path/"liquid/positions")) return surface;
         const auto all = [](std::size_t n) { return ElementRange{0, n}; };
         const std::vector<Vector3> particles = readLiquidPositions(time.path, all);
         for (FieldData& field : fieldsAt(surface.points, particles, fields_.read(time.path, particles.size(), all), spacing_))
         {
-            if (field.name != "normals") surface.pointFields.push_back(std::move(field));
+            const auto same = [&](const FieldData& other) { return other.name == field.name; };
+            if (std::none_of(surface.pointFields.begin(), surface.pointFields.end(), same)) surface.pointFields.push_back(std::move(field));
         }
         return surface;
+    }
+
+    // What the case prescribes, where a wall is.
+    void addTheta(VtpContent& surface, const TimeFolder& time)
+    {
+        constexpr double near = 0.75;           // spacings
+        if (!walls_) walls_.emplace(case_, spacing_);
+        if (!walls_->any()) return;
+        walls_->readTheta(time.value);
+        FieldData theta{"theta", FieldType::scalar, dimensions::none, false, {}};
+        for (const Vector3& x : surface.points)
+        {
+            const auto wall = walls_->at(x, near*spacing_);
+            theta.values.push_back(wall ? wall->theta : std::nan(""));
+        }
+        surface.pointFields.push_back(std::move(theta));
     }
 
     void finish() const
@@ -204,7 +228,8 @@ private:
     double spacing_;
     LiquidFields fields_;
     VtkSeries liquid_, surface_, solid_;
-    std::optional<SolidConverter> solidConverter_;      // of part 0
+    std::optional<SolidConverter> solidConverter_;
+    std::optional<WallsNear> walls_;    // of the part that converts a surface      // of part 0
 };
 
 }
