@@ -35,7 +35,7 @@ foreach(folder IN LISTS folders)
     endforeach()
 endforeach()
 
-install(PROGRAMS bin/RunFunctions bin/plotCase bin/runTutorials DESTINATION bin COMPONENT shizuku)
+install(PROGRAMS bin/RunFunctions bin/plotCase bin/runTutorials bin/makeFilms DESTINATION bin COMPONENT shizuku)
 install(FILES etc/bashrc DESTINATION etc COMPONENT shizuku)
 install(DIRECTORY etc/completion DESTINATION etc COMPONENT shizuku)
 install(DIRECTORY etc/caseDefaults etc/advice DESTINATION etc COMPONENT shizuku)

@@ -12,7 +12,7 @@ set(pbfDroplet_SOURCES
 )
 set(pbfDroplet_KERNELS ProfileReport.C Ceilings.C FallenLiquid.C)
 set(pbfDroplet_LINK shizukuLiveView)
-set(meshSurface_SOURCES meshSurface.C MeshTimes.C)
+set(meshSurface_SOURCES meshSurface.C MeshTimes.C CleanedMesh.C)
 set(postProcess_SOURCES postProcess.C)
 set(adviseCase_SOURCES adviseCase.C CaseForecast.C SolverStart.C)
 set(adviseCase_LINK shizukuAdvice)

@@ -83,6 +83,17 @@ set(SHIZUKU_GEOMETRY_SOURCES
     wallMotions/TranslationMotion.C
     wallMotions/WallMotion.C
     wallMotions/WallMotions.C
+    meshes/VertexNeighbours.C
+    drops/foot/CleanFoot.C
+    drops/foot/FootPlaces.C
+    drops/foot/SmoothedLiquid.C
+    drops/foot/WallsNear.C
+    drops/foot/WedgeLevel.C
+    optics/LiquidLook.C
+    optics/LiquidRays.C
+    optics/Studio.C
+    optics/TriangleTree.C
+    meshes/MeshCurvature.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.

@@ -17,4 +17,5 @@ set(SHIZUKU_VTK_SOURCES
     vtk/VtkSeries.C
     vtk/VtpFile.C
     vtk/VtpFormat.C
+    vtk/ClearLiquid.C
 )

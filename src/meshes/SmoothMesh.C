@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshes/SmoothMesh.H"
 
+#include "meshes/VertexNeighbours.H"
+
 #include <algorithm>
 
 namespace shizuku
@@ -12,23 +14,10 @@ namespace
 constexpr double shrink = 0.5, inflate = -0.53;
 
 // Towards the mean of the neighbours by that part of the way.
-void relax(TriangleMesh& mesh, double part)
+void relax(TriangleMesh& mesh, const VertexNeighbours& neighbours, double part)
 {
-    std::vector<Vector3> sum(mesh.vertices.size());
-    std::vector<int> count(mesh.vertices.size(), 0);
-    for (const auto& face : mesh.faces)
-    {
-        for (int corner = 0; corner < 3; ++corner)      // on a closed mesh each neighbour comes twice
-        {
-            const int i = face[corner];
-            sum[i] += mesh.vertices[face[(corner + 1) % 3]] + mesh.vertices[face[(corner + 2) % 3]];
-            count[i] += 2;
-        }
-    }
-    for (std::size_t i = 0; i < sum.size(); ++i)
-    {
-        if (count[i] > 0) mesh.vertices[i] += part*(1.0/count[i]*sum[i] - mesh.vertices[i]);
-    }
+    const std::vector<Vector3> ways = neighbours.waysToMean(mesh.vertices);
+    for (std::size_t i = 0; i < ways.size(); ++i) mesh.vertices[i] += part*ways[i];
 }
 
 std::vector<Vector3> faceNormals(const TriangleMesh& mesh)
@@ -67,10 +56,11 @@ void averageNormals(TriangleMesh& mesh)
 TriangleMesh smoothMesh(const TriangleMesh& mesh, int positionPasses, int normalPasses)
 {
     TriangleMesh smooth = mesh;
+    const VertexNeighbours neighbours(mesh);
     for (int pass = 0; pass < positionPasses; ++pass)
     {
-        relax(smooth, shrink);
-        relax(smooth, inflate);
+        relax(smooth, neighbours, shrink);
+        relax(smooth, neighbours, inflate);
     }
     smooth.normals = faceNormals(smooth);
     for (int pass = 0; pass < normalPasses; ++pass) averageNormals(smooth);

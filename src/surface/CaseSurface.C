@@ -18,7 +18,7 @@ Dictionary readSurfaceDict(const std::filesystem::path& casePath)
 
 SurfaceFileControls fileControlsOf(const Dictionary& dict)
 {
-    return {dict.lookupOr("formats", std::vector<std::string>{"ply"}), dict.lookupOr("conserveVolume", false)};
+    return {dict.lookupOr("formats", std::vector<std::string>{"ply"}), dict.lookupOr("conserveVolume", false), dict.lookupOr("clean", true)};
 }
 
 }

@@ -5,11 +5,15 @@
 #include "core/fieldFile/AtomicFile.H"
 #include "core/messages/Error.H"
 #include "meshes/Bounds.H"
+#include "vtk/ClearLiquid.H"
 #include "vtk/PictureParts.H"
 #include "vtk/StudioFloor.H"
 #include "vtk/StudioSurroundings.H"
 
+#include <vtkActor2D.h>
 #include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkImageMapper.h>
 #include <vtkImageShrink3D.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
@@ -25,6 +29,9 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
 
 namespace shizuku
 {
@@ -137,6 +144,64 @@ void addCaption(vtkRenderer& renderer, const std::string& text, int fontSize)
     renderer.AddActor2D(caption);
 }
 
+// The window as it is, and how far away what it shows is.
+PixelImage grabbed(vtkRenderWindow& window, vtkRenderer& renderer)
+{
+    PixelImage image;
+    image.width = window.GetSize()[0];
+    image.height = window.GetSize()[1];
+    image.levels.resize(3*std::size_t(image.width)*image.height);
+    vtkNew<vtkUnsignedCharArray> levels;
+    levels->SetArray(image.levels.data(), vtkIdType(image.levels.size()), 1);
+    window.GetPixelData(0, 0, image.width - 1, image.height - 1, 0, levels);
+    std::vector<float> depth(std::size_t(image.width)*image.height);
+    window.GetZbufferData(0, 0, image.width - 1, image.height - 1, depth.data());
+    const double* const range = renderer.GetActiveCamera()->GetClippingRange();
+    const double near = range[0], far = range[1];
+    image.depth.reserve(depth.size());
+    for (const float z : depth) image.depth.push_back(near*far/(far - z*(far - near)));
+    return image;
+}
+
+PictureCamera cameraOf(vtkRenderer& renderer, const PictureView& view)
+{
+    vtkCamera& own = *renderer.GetActiveCamera();
+    PictureCamera camera;
+    camera.position = std::to_array({own.GetPosition()[0], own.GetPosition()[1], own.GetPosition()[2]});
+    camera.forward = std::to_array({own.GetDirectionOfProjection()[0], own.GetDirectionOfProjection()[1], own.GetDirectionOfProjection()[2]});
+    const Vector3 up(own.GetViewUp()[0], own.GetViewUp()[1], own.GetViewUp()[2]);
+    camera.right = normalized(cross(camera.forward, up));
+    camera.up = cross(camera.right, camera.forward);
+    camera.halfHeight = std::tan(radians(own.GetViewAngle()/2));
+    camera.halfWidth = camera.halfHeight*view.width/view.height;
+    return camera;
+}
+
+// "tiles of 0.5 mm": what tells how large things are.
+std::string tilesCaption(double radius)
+{
+    std::ostringstream text;
+    text << "tiles of " << 1e3*tileSide(radius) << " mm";
+    return text.str();
+}
+
+// In place of all that the renderer has shown.
+void show(vtkRenderer& renderer, const PixelImage& picture)
+{
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(picture.width, picture.height, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    std::copy(picture.levels.begin(), picture.levels.end(), static_cast<unsigned char*>(image->GetScalarPointer()));
+    vtkNew<vtkImageMapper> mapper;
+    mapper->SetInputData(image);
+    mapper->SetColorWindow(255);
+    mapper->SetColorLevel(127.5);
+    vtkNew<vtkActor2D> actor;
+    actor->SetMapper(mapper);
+    renderer.RemoveAllViewProps();
+    renderer.AddActor2D(actor);
+}
+
 void writePng(vtkRenderWindow& window, const std::filesystem::path& file)
 {
     vtkNew<vtkWindowToImageFilter> grab;
@@ -178,21 +243,22 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
     addLight(*renderer, stage, keyLight, 1.0);
     addLight(*renderer, stage, stage.direction(0.8, 0.5*open, 0.6), 0.4);
 
-    if (!scene.liquid.faces.empty())
+    std::optional<ClearLiquid> clear;
+    if (scene.liquid.faces.empty()) addParticles(*renderer, scene, 18*oversampling);
+    else if (scene.look == "plain")
     {
         addSurroundings(*renderer, stage);
-        addWater(*renderer, scene.liquid);
+        addPlainLiquid(*renderer, scene.liquid);
     }
-    else addParticles(*renderer, scene, 18*oversampling);
+    else clear.emplace(scene, liquidLook(scene.look), stage.radius, Studio(open*stage.up, stage.right, stage.front));
     if (!scene.walls.faces.empty()) addMatteSurface(*renderer, scene.walls);
     if (!scene.solid.empty()) addMatteSpheres(*renderer, scene.solid, scene.spacing);
     if (scene.floor)
     {
-        renderer->AddActor(studioFloor(*scene.floor, scene.liquid, stage.centre, stage.radius, -keyLight));
+        renderer->AddActor(studioFloor(*scene.floor, scene.liquid, stage.centre, stage.radius, -keyLight, clear ? &*clear : nullptr));
     }
     if (scene.floor && !scene.pattern.empty()) addPattern(*renderer, scene);
     for (const GlassTube& tube : scene.glass) addGlass(*renderer, tube);
-    if (!scene.caption.empty()) addCaption(*renderer, scene.caption, oversampling*view.width/60);
 
     vtkNew<vtkRenderWindow> window;
     window->SetOffScreenRendering(1);
@@ -200,6 +266,16 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
     window->SetSize(oversampling*view.width, oversampling*view.height);
     window->AddRenderer(renderer);
     aimCamera(*renderer, stage, framed, view, hangs);
+    std::string caption = scene.caption;
+    if (clear)
+    {
+        window->Render();
+        PixelImage picture = grabbed(*window, *renderer);
+        clear->draw(picture, cameraOf(*renderer, view));
+        show(*renderer, picture);
+        if (scene.floor) caption += (caption.empty() ? "" : "\n") + tilesCaption(stage.radius);
+    }
+    if (!caption.empty()) addCaption(*renderer, caption, oversampling*view.width/60);
     window->Render();
     writePng(*window, file);
 }

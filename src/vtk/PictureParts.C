@@ -53,10 +53,10 @@ vtkSmartPointer<vtkGlyph3DMapper> spheresAt(const std::vector<Vector3>& centres,
 
 }
 
-void addWater(vtkRenderer& renderer, const TriangleMesh& mesh)
+void addPlainLiquid(vtkRenderer& renderer, const TriangleMesh& mesh)
 {
     // Mirror images would show more of the particles' pattern than of the liquid's shape.
-    constexpr int positionPasses = 10, normalPasses = 15;
+    constexpr int positionPasses = 0, normalPasses = 15;
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(toPolyData(smoothMesh(mesh, positionPasses, normalPasses)));
     mapper->ScalarVisibilityOff();

@@ -32,14 +32,14 @@ void fillTriangle(PlaneImage& image, const std::array<Pixel, 3>& p)
 }
 
 // A running mean along the lines of the image; `stride` from pixel to pixel, `lineStride` from line to line.
-void blurLines(std::vector<float>& values, int size, int radius, int stride, int lineStride)
+void blurLines(std::vector<float>& values, int size, int radius, int stride, int lineStride, float outside)
 {
     std::vector<float> line(size);
     for (int l = 0; l < size; ++l)
     {
         float* const first = values.data() + std::size_t(l)*lineStride;
         double sum = 0;
-        const auto value = [&](int i) { return i < 0 || i >= size ? 0.0f : first[std::size_t(i)*stride]; };
+        const auto value = [&](int i) { return i < 0 || i >= size ? outside : first[std::size_t(i)*stride]; };
         for (int i = -radius; i <= radius; ++i) sum += value(i);
         for (int i = 0; i < size; ++i)
         {
@@ -71,13 +71,17 @@ void castShadow(PlaneImage& window, const TriangleMesh& mesh, const Vector3& lig
     {
         fillTriangle(window, {project(mesh.vertices[i]), project(mesh.vertices[j]), project(mesh.vertices[k])});
     }
+    blur(window, blurRadius, 0);
+}
 
+void blur(PlaneImage& image, double radius, float outside)
+{
     // Three running means are close to a Gaussian bell.
-    const int radius = std::max(1, int(blurRadius*pixelsPerMetre/2));
+    const int pixels = std::max(1, int(radius*image.size/(2*image.halfWidth)/2));
     for (int pass = 0; pass < 3; ++pass)
     {
-        blurLines(window.values, window.size, radius, 1, window.size);
-        blurLines(window.values, window.size, radius, window.size, 1);
+        blurLines(image.values, image.size, pixels, 1, image.size, outside);
+        blurLines(image.values, image.size, pixels, image.size, 1, outside);
     }
 }
 

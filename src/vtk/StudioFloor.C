@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtk/StudioFloor.H"
 
-#include "vtk/SoftShadow.H"
+#include "vtk/ClearLiquid.H"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -11,6 +11,8 @@
 #include <vtkTexture.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace shizuku
 {
@@ -23,23 +25,39 @@ constexpr double extent = 7;            // half width of the floor in radii of t
 constexpr double darkest = 0.55;        // part of the light that a full shadow takes
 constexpr double contactDarkness = 0.35;
 
-// Grey of the shadow, and an opacity that falls to nothing towards the border.
-vtkSmartPointer<vtkTexture> floorTexture(const PlaneImage& shadow, const PlaneImage& contact)
+// The floor's light, 1 in the open, red, green and blue.
+using FloorLight = std::array<PlaneImage, 3>;
+
+// What is left of the light on the lines between tiles, so many pixels from there to there.
+double tileLine(double column, double row, double side)
 {
+    constexpr double line = 0.8, width = 2;
+    const auto fromLine = [&](double place) { return std::abs(place - side*std::round(place/side)); };
+    return std::min(fromLine(column), fromLine(row)) < width/2 ? line : 1;
+}
+
+// Light as colours, and an opacity that falls to nothing towards the border. tile: side in pixels; 0: none.
+vtkSmartPointer<vtkTexture> floorTexture(const FloorLight& light, const PlaneImage& contact, double contactDarkness, double tile)
+{
+    constexpr std::array<double, 3> white{236, 234, 230};
+    const int size = contact.size;
     vtkNew<vtkImageData> image;
-    image->SetDimensions(shadow.size, shadow.size, 1);
+    image->SetDimensions(size, size, 1);
     image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-    for (int row = 0; row < shadow.size; ++row)
+    for (int row = 0; row < size; ++row)
     {
-        for (int column = 0; column < shadow.size; ++column)
+        for (int column = 0; column < size; ++column)
         {
-            const double light = (1 - darkest*shadow.at(column, row))*(1 - contactDarkness*contact.at(column, row));
-            const double x = 2.0*column/(shadow.size - 1) - 1, y = 2.0*row/(shadow.size - 1) - 1;
+            double own = 1 - contactDarkness*contact.at(column, row);
+            if (tile > 0) own *= tileLine(column + 0.5 - 0.5*size, row + 0.5 - 0.5*size, tile);
+            const double x = 2.0*column/(size - 1) - 1, y = 2.0*row/(size - 1) - 1;
             const double fade = std::clamp((1 - std::hypot(x, y))/0.6, 0.0, 1.0);
             auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(column, row, 0));
-            pixel[0] = static_cast<unsigned char>(0.5 + 236*light);
-            pixel[1] = static_cast<unsigned char>(0.5 + 234*light);
-            pixel[2] = static_cast<unsigned char>(0.5 + 230*light);
+            for (int c = 0; c < 3; ++c)
+            {
+                const double level = white[c]*own*(1 - darkest + darkest*light[c].at(column, row));
+                pixel[c] = static_cast<unsigned char>(0.5 + std::clamp(level, 0.0, 255.0));
+            }
             pixel[3] = static_cast<unsigned char>(0.5 + 255*fade*fade*(3 - 2*fade));
         }
     }
@@ -53,9 +71,15 @@ vtkSmartPointer<vtkTexture> floorTexture(const PlaneImage& shadow, const PlaneIm
 
 }
 
+double tileSide(double radius)
+{
+    const double power = std::pow(10, std::floor(std::log10(0.5*radius))), factor = 0.5*radius/power;
+    return power*(factor < 1.5 ? 1 : factor < 3.5 ? 2 : factor < 7.5 ? 5 : 10);
+}
+
 vtkSmartPointer<vtkActor> studioFloor
 (
-    const Plane& plane, const TriangleMesh& liquid, const Vector3& centre, double radius, const Vector3& light
+    const Plane& plane, const TriangleMesh& liquid, const Vector3& centre, double radius, const Vector3& light, const ClearLiquid* clear
 )
 {
     PlaneImage shadow;
@@ -67,8 +91,15 @@ vtkSmartPointer<vtkActor> studioFloor
     PlaneImage contact = shadow;        // where light from all sides is held off
     double height = 0;                  // what is flat casts a narrow shadow
     for (const Vector3& vertex : liquid.vertices) height = std::max(height, plane.distance(vertex));
-    castShadow(shadow, liquid, light, std::min(0.25*radius, 0.5*height));
     castShadow(contact, liquid, -plane.normal, std::min(0.12*radius, 0.25*height));
+    FloorLight lit{shadow, shadow, shadow};
+    if (clear) clear->castLight(lit, light, 0.04*radius);
+    else
+    {
+        castShadow(shadow, liquid, light, std::min(0.25*radius, 0.5*height));
+        for (float& value : shadow.values) value = 1 - value;
+        lit.fill(shadow);
+    }
 
     const Vector3 corner = shadow.centre - shadow.halfWidth*(shadow.right + shadow.up);
     const Vector3 alongRight = corner + 2*shadow.halfWidth*shadow.right;
@@ -82,7 +113,9 @@ vtkSmartPointer<vtkActor> studioFloor
 
     const auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
-    actor->SetTexture(floorTexture(shadow, contact));
+    actor->SetTexture(clear
+        ? floorTexture(lit, contact, 0.3*contactDarkness, tileSide(radius)*pixels/(2*shadow.halfWidth))
+        : floorTexture(lit, contact, contactDarkness, 0));
     actor->GetProperty()->LightingOff();        // the texture holds the light already
     return actor;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/time/Time.H"
+#include "core/time/LatestTime.H"
 #include "core/time/TimeName.H"
 
 #include <algorithm>
@@ -80,7 +80,21 @@ std::vector<Option> timeSelectionOptions()
 namespace
 {
 
-std::vector<TimeFolder> chosenTimes(const Arguments& args)
+using Holds = std::function<bool(const TimeFolder&)>;
+
+// Beside a run the later ones may not have been worked on yet, which is said.
+std::vector<TimeFolder> latestOf(const std::vector<TimeFolder>& folders, const Holds& holds, const std::string& what)
+{
+    const auto latest = std::find_if(folders.rbegin(), folders.rend(), holds);
+    if (latest == folders.rend()) return {};
+    if (latest != folders.rbegin() && !what.empty())
+    {
+        std::cout << "The latest time " << folders.back().name << " does not hold " << what << ". The latest one that does is " << latest->name << std::endl;
+    }
+    return {*latest};
+}
+
+std::vector<TimeFolder> chosenTimes(const Arguments& args, const Holds& holds, const std::string& what)
 {
     if (args.found("latestTime") && args.found("time"))
     {
@@ -88,7 +102,7 @@ std::vector<TimeFolder> chosenTimes(const Arguments& args)
     }
     const auto folders = timeFolders(args.casePath());
     if (folders.empty()) failNothing(args, "The case has no time folder", folders);
-    if (args.found("latestTime")) return {folders.back()};
+    if (args.found("latestTime")) return latestOf(folders, holds, args.found("listTimes") ? "" : what);
     if (!args.found("time")) return folders;
 
     const auto ranges = readRanges(args.get("time"));
@@ -101,15 +115,20 @@ std::vector<TimeFolder> chosenTimes(const Arguments& args)
     return chosen;
 }
 
-}
-
-std::vector<TimeFolder> selectTimes(const Arguments& args)
+std::vector<TimeFolder> listedOrChosen(const Arguments& args, const Holds& holds, const std::string& what)
 {
-    std::vector<TimeFolder> times = chosenTimes(args);
+    std::vector<TimeFolder> times = chosenTimes(args, holds, what);
     if (!args.found("listTimes")) return times;
     for (const TimeFolder& time : times) std::cout << time.name << '\n';
     std::cout << std::flush;
     std::exit(EXIT_SUCCESS);
+}
+
+}
+
+std::vector<TimeFolder> selectTimes(const Arguments& args)
+{
+    return listedOrChosen(args, [](const TimeFolder&) { return true; }, "");
 }
 
 std::vector<TimeFolder> selectTimesWith
@@ -117,10 +136,20 @@ std::vector<TimeFolder> selectTimesWith
     const Arguments& args, const std::function<bool(const TimeFolder&)>& holds, const std::string& what, const std::string& expected
 )
 {
-    std::vector<TimeFolder> times = selectTimes(args);
+    std::vector<TimeFolder> times = listedOrChosen(args, holds, what);
     std::erase_if(times, [&](const TimeFolder& time) { return !holds(time); });
     if (!times.empty()) return times;
     throw FatalInputError({args.casePath().string(), 0}, "None of the selected times holds " + what, expected);
+}
+
+TimeFolder latestTimeWith
+(
+    const std::filesystem::path& casePath, const std::function<bool(const TimeFolder&)>& holds, const std::string& what, const std::string& expected
+)
+{
+    const std::vector<TimeFolder> latest = latestOf(timeFolders(casePath), holds, what);
+    if (!latest.empty()) return latest.back();
+    throw FatalInputError({casePath.string(), 0}, "No time holds " + what, expected);
 }
 
 }

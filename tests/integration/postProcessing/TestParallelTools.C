@@ -142,11 +142,11 @@ TEST_F(ParallelTools, MeshSurfaceLeavesTheMeshOfOneProcess)
     }
 }
 
-// The pieces' triangles behind each other are those of one process, and close up at the seams.
+// The pieces' triangles behind each other are those of one process, and close up at the seams. Pieces are not cleaned.
 TEST_F(ParallelTools, MeshSurfaceWritesPiecesThatJoin)
 {
     writeTime("0", {drop(100, 1000, 2e-3), drop(60, 600, -2e-3)}, false);
-    write("system/meshSurfaceDict", "conserveVolume yes;\n");
+    write("system/meshSurfaceDict", "conserveVolume yes;\nclean no;\n");
     ASSERT_EQ(call("meshSurface", "-device cpu").status, 0);
     const TriangleMesh whole = readPly(path()/"0/surface/liquid.ply");
     fs::remove(path()/"0/surface/liquid.ply");
@@ -214,8 +214,9 @@ TEST_F(ParallelTools, ShizukuToVtkWritesPiecesOfWhatOneProcessWrites)
 TEST_F(ParallelTools, ASurfaceInPiecesIsConvertedAndDrawn)
 {
     writeTime("0.01", {drop(90)}, false);
+    write("system/meshSurfaceDict", "clean no;\n");
     ASSERT_EQ(call("meshSurface", "-device cpu -time 0.01 -formats '(ply vtp)'").status, 0);
-    const std::string options = "-time 0.01 -size 200x120 -output ";
+    const std::string options = "-time 0.01 -look plain -size 200x120 -output ";
     ASSERT_EQ(call("renderCase", options + (path()/"mesh.png").string()).status, 0);
     const vtkIdType triangles = readVtp(path()/"0.01/surface/liquid.vtp")->GetNumberOfPolys();
     fs::remove_all(path()/"0.01/surface");

@@ -2,6 +2,7 @@
 #include "DropCase.H"
 
 #include <chrono>
+#include <sstream>
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -88,6 +89,42 @@ TEST_F(DropCase, PlotCaseShowsATableWhileTheRunGoesOn)
     EXPECT_FALSE(holds(outcome.text, {"warning"})) << outcome.text;
     EXPECT_FALSE(fs::exists(path()/"postProcessing/drop/0/liquidState.png"));
     EXPECT_NE(plot(of + " -every never").status, 0);
+}
+
+// Before the first row it waits; a chart is no wider than the terminal.
+TEST_F(DropCase, PlotCaseWaitsForTheFirstRow)
+{
+    fs::create_directories(path()/"postProcessing/drop/0");
+    const std::string table = (path()/"postProcessing/drop/0/liquidState.csv").string();
+    write("postProcessing/drop/0/liquidState.csv", "time [s],volume [m3],maxSpeed [m/s]\n");
+    const std::string later = "(sleep 2; printf '0,1e-9,1\\n0.01,1.1e-9,0.5\\n' >>" + table + ") & ";
+    const Outcome outcome = run(later + "COLUMNS=80 " + environment("SHIZUKU_DIR") + "/bin/plotCase -case " + path().string() + " -monitor -every 1 -times 1");
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"Waiting for the first row", "volume [mm3]", "maxSpeed [m/s]"})) << outcome.text;
+    std::istringstream lines(outcome.text.substr(outcome.text.find("volume [mm3]")));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+}
+
+// Of several drops the prescribed angle has one entry in the legend, and each drop one.
+TEST_F(DropCase, PlotCaseNamesEachLineOnce)
+{
+    write
+    (
+        "postProcessing/a/0/angle.csv",
+        "time [s],angle [deg],prescribed [deg],volumeDrift [%],drop\n0,80,60,1,1\n0,81,60,1,2\n0.1,70,60,1,1\n0.1,71,60,1,2\n"
+    );
+    ASSERT_EQ(plot("-case " + path().string()).status, 0);
+    const std::string chart = read("postProcessing/a/0/angle.svg");
+    const auto times = [&](const std::string& text)
+    {
+        int count = 0;
+        for (std::size_t at = chart.find(text); at != std::string::npos; at = chart.find(text, at + 1)) ++count;
+        return count;
+    };
+    const int titles = times(">drop 1<");
+    EXPECT_GT(titles, 0);
+    EXPECT_EQ(times(">drop 2<"), titles);
+    EXPECT_EQ(times(">prescribed<"), titles);
 }
 
 TEST_F(DropCase, PlotCaseDrawsTheOthersWhereATableHasNothingOrIsWrong)

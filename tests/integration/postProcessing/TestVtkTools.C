@@ -16,6 +16,7 @@
 #include <vtkPointData.h>
 
 #include <cmath>
+#include <memory>
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -57,6 +58,14 @@ struct Picture
         vtkImageData& image = *reader->GetOutput();
         const auto level = [&](int c) { return image.GetScalarComponentAsDouble(int(x*width), int(y*height), 0, c); };
         return level(2) - level(0);
+    }
+
+    // Mean of the channels there.
+    double brightness(double x, double y) const
+    {
+        vtkImageData& image = *reader->GetOutput();
+        const auto level = [&](int c) { return image.GetScalarComponentAsDouble(int(x*width), int(y*height), 0, c); };
+        return (level(0) + level(1) + level(2))/3;
     }
 };
 
@@ -120,11 +129,40 @@ TEST_F(DropCase, VtkReadsEveryFileWithItsTime)
                 const double time = data->GetFieldData()->GetArray("TimeValue")->GetTuple1(0);
                 EXPECT_DOUBLE_EQ(time, name == "solid" ? 0 : times.back());
                 EXPECT_DOUBLE_EQ(data->GetFieldData()->GetArray("particleSpacing")->GetTuple1(0), spacing);
-                EXPECT_EQ(data->GetPointData()->HasArray("U"), name == "liquid");
-                EXPECT_EQ(data->GetPointData()->HasArray("theta"), name == "solid");
+                EXPECT_EQ(data->GetPointData()->HasArray("U"), name != "solid");
+                EXPECT_EQ(data->GetPointData()->HasArray("theta"), name != "liquid");
+                EXPECT_EQ(data->GetPointData()->HasArray("curvature"), name == "surface");
             }
             EXPECT_EQ(times, (std::vector<double>{0, 0.01, 0.025}));
         }
+    }
+}
+
+// U of the particles grows linearly with height, from 0.005 m/s half a spacing above the floor, by 0.01 m/s a spacing. So it does on the surface, but for what lies beyond
+// the particles: a mean of theirs, within the weight's width.
+TEST_F(DropCase, ShizukuToVtkPutsTheFieldsOnTheSurface)
+{
+    writeTime("0", {drop(90)});
+    ASSERT_EQ(call("shizukuToVTK").status, 0);
+    const auto data = readVtp(path()/"VTK/surface/surface_0.vtp");
+    vtkDataArray& velocity = *data->GetPointData()->GetArray("U");
+    ASSERT_EQ(velocity.GetNumberOfTuples(), data->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+    {
+        EXPECT_NEAR(velocity.GetComponent(i, 0), 0.01*data->GetPoint(i)[2]/spacing, 0.0125);
+        EXPECT_EQ(velocity.GetComponent(i, 1), 0);
+    }
+    // On the half of the floor that has 60 degrees.
+    vtkDataArray& theta = *data->GetPointData()->GetArray("theta");
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+    {
+        const double height = data->GetPoint(i)[2]/spacing;
+        if (height > 0.7 && height < 0.8) continue;
+        if (height < 0.75)
+        {
+            EXPECT_EQ(theta.GetTuple1(i), 60) << height;
+        }
+        else EXPECT_TRUE(std::isnan(theta.GetTuple1(i))) << height;
     }
 }
 
@@ -216,7 +254,7 @@ TEST_F(DropCase, ShizukuToVtkRefusesBadInput)
     expectRefusal({"0.01/surface/liquid.ply"});
 }
 
-TEST_F(DropCase, RenderCaseShowsTheSurfaceAsWater)
+TEST_F(DropCase, RenderCaseShowsThePlainSurface)
 {
     writeTime("0", {drop(90)});
     writeTime("0.01", {drop(100)});
@@ -224,7 +262,7 @@ TEST_F(DropCase, RenderCaseShowsTheSurfaceAsWater)
     for (const std::string view : {"side", "perspective", "above"})
     {
         const fs::path file = path()/(view + ".png");
-        const Outcome outcome = call("renderCase", "-size 320x200 -view " + view + " -output " + file.string());
+        const Outcome outcome = call("renderCase", "-look plain -size 320x200 -view " + view + " -output " + file.string());
         ASSERT_EQ(outcome.status, 0) << outcome.text;
         EXPECT_TRUE(holds(outcome.text, {"Time = 0.01", file.string()}));
         const Picture picture(file);
@@ -232,7 +270,7 @@ TEST_F(DropCase, RenderCaseShowsTheSurfaceAsWater)
         EXPECT_EQ(picture.height, 200);
         // A blank picture varies by nothing, its background alone by some ten levels.
         EXPECT_GT(picture.variation, 20) << view;
-        // Water stands in the middle: more blue than red. The background and the floor differ by less than 40.
+        // The liquid stands in the middle: more blue than red. The background and the floor differ by less than 40.
         EXPECT_GT(picture.blueness(0.5, 0.5), 60) << view;
     }
 }
@@ -243,7 +281,7 @@ TEST_F(DropCase, RenderCaseShowsThePatternOfAFloor)
     writeTime("0", {drop(90)});
     const auto difference = [&]
     {
-        const Outcome outcome = call("renderCase", "-size 160x100 -view above");
+        const Outcome outcome = call("renderCase", "-look plain -size 160x100 -view above");
         EXPECT_EQ(outcome.status, 0) << outcome.text;
         const Picture picture(path()/"case.png");
         return picture.blueness(0.5, 0.05) - picture.blueness(0.9, 0.05);
@@ -276,7 +314,7 @@ TEST_F(DropCase, RenderCaseTakesNoFaceOfABodyForAFloor)
     std::vector<double> theta;
     for (const Vector3& x : solid.positions) theta.push_back(x.x < 0 ? 60 : 100);
     writeField(path()/"0/solid/theta", {"theta", FieldType::scalar, dimensions::none, false, theta}, {});
-    const Outcome outcome = call("renderCase", "-size 160x100 -view above");
+    const Outcome outcome = call("renderCase", "-look plain -size 160x100 -view above");
     ASSERT_EQ(outcome.status, 0) << outcome.text;
     const Picture picture(path()/"case.png");
     EXPECT_NEAR(picture.blueness(0.5, 0.05), picture.blueness(0.9, 0.05), 12);      // 20 and more with the pattern of a floor
@@ -287,11 +325,11 @@ TEST_F(DropCase, RenderCaseLooksWhereItIsTold)
 {
     writeTime("0", {drop(90)});
     constexpr double water = 60, none = 40;             // as above
-    ASSERT_EQ(call("renderCase", "-size 160x100 -width 0.02 -azimuth 70").status, 0);
+    ASSERT_EQ(call("renderCase", "-look plain -size 160x100 -width 0.02 -azimuth 70").status, 0);
     const Picture small(path()/"case.png");
     EXPECT_GT(small.blueness(0.5, 0.5), water);
     EXPECT_LT(small.blueness(0.4, 0.5), none);
-    ASSERT_EQ(call("renderCase", "-size 160x100 -width 0.02 -centre '(3e-3 0 5e-4)'").status, 0);
+    ASSERT_EQ(call("renderCase", "-look plain -size 160x100 -width 0.02 -centre '(3e-3 0 5e-4)'").status, 0);
     const Picture beside(path()/"case.png");
     EXPECT_LT(beside.blueness(0.5, 0.5), none);
     EXPECT_GT(beside.blueness(0.5 - 4.5/20, 0.5), water);
@@ -307,7 +345,7 @@ TEST_F(DropCase, RenderCaseFramesASeriesOnce)
     writeTime("0", {drop(90)});
     writeTime("0.01", {drop(90, 1000, 1.5e-3)});
     constexpr double water = 60, none = 40;             // as above
-    ASSERT_EQ(call("renderCase", "-size 160x100 -view above -time 0:").status, 0);
+    ASSERT_EQ(call("renderCase", "-look plain -size 160x100 -view above -time 0:").status, 0);
     const Picture first(path()/"case_0.png"), last(path()/"case_0.01.png");
     for (const Picture* picture : {&first, &last}) EXPECT_LT(picture->blueness(0.5, 0.5), none);
     // The frame's width fills 0.64 of the picture; the drops' middles are 1.5 of its 2.5 mm from the middle.
@@ -324,7 +362,7 @@ TEST_F(DropCase, RenderCaseLooksUpAtWhatHangs)
     writeTime("0", {drop(90)});
     write("constant/models", "bodyForce gravity;\n");
     write("constant/g", "dimensions [0 1 -2 0 0 0 0];\nvalue (0 0 9.81);\n");
-    ASSERT_EQ(call("renderCase", "-size 160x100 -view above").status, 0);
+    ASSERT_EQ(call("renderCase", "-look plain -size 160x100 -view above").status, 0);
     EXPECT_GT(Picture(path()/"case.png").blueness(0.5, 0.5), 60);
 }
 
@@ -336,7 +374,7 @@ TEST_F(DropCase, RenderCaseTellsAnglesThatWerePrescribed)
     {
         writeTime("0", {drop(90, 1000, x)});
         ASSERT_EQ(call("probeAngle").status, 0);
-        const Outcome outcome = call("renderCase", "-size 64x64");
+        const Outcome outcome = call("renderCase", "-look plain -size 64x64");
         EXPECT_TRUE(holds(outcome.text, {"contact angle "}));
         EXPECT_EQ(outcome.text.find("(prescribed 60") != std::string::npos, told) << outcome.text;
         EXPECT_EQ(outcome.text.find("prescribed") != std::string::npos, told) << outcome.text;
@@ -344,13 +382,13 @@ TEST_F(DropCase, RenderCaseTellsAnglesThatWerePrescribed)
     write("constant/models", "wetting none;\n");
     writeTime("0", {drop(90)});
     ASSERT_EQ(call("probeAngle").status, 0);
-    EXPECT_EQ(call("renderCase", "-size 64x64").text.find("prescribed"), std::string::npos);
+    EXPECT_EQ(call("renderCase", "-look plain -size 64x64").text.find("prescribed"), std::string::npos);
 }
 
 TEST_F(DropCase, RenderCaseShowsParticlesWhereThereIsNoSurface)
 {
     writeTime("0", {drop(90)}, false);
-    const Outcome outcome = call("renderCase", "-size 320x200");
+    const Outcome outcome = call("renderCase", "-look plain -size 320x200");
     ASSERT_EQ(outcome.status, 0) << outcome.text;
     const Picture picture(path()/"case.png");       // named after the case
     EXPECT_GT(picture.variation, 20);
@@ -363,6 +401,87 @@ TEST_F(DropCase, RenderCaseNeedsNoDisplay)
     const Outcome outcome = run("env -u DISPLAY " + program("renderCase") + " -size 64x64 -case " + path().string());
     EXPECT_EQ(outcome.status, 0) << outcome.text;
     EXPECT_TRUE(fs::exists(path()/"case.png"));
+}
+
+// Clear water shows the floor, honey is yellow, ink dark, mercury grey and as bright as the studio.
+TEST_F(DropCase, RenderCaseShowsLiquidsAsTheyAre)
+{
+    writeTime("0", {drop(90)});
+    const auto seen = [&](const std::string& look)
+    {
+        const Outcome outcome = call("renderCase", "-size 160x100 -view above -look " + look);
+        EXPECT_EQ(outcome.status, 0) << outcome.text;
+        return std::make_unique<Picture>(path()/"case.png");
+    };
+    const auto water = seen("water"), honey = seen("honey"), mercury = seen("mercury"), ink = seen("ink");
+    // Levels of 255. Red light loses an eighth on its way through as much water as the drop is wide; honey leaves 4 % of blue light, ink 2 % of red.
+    EXPECT_LT(std::abs(water->blueness(0.5, 0.5)), 50);
+    EXPECT_LT(honey->blueness(0.5, 0.5), -80);
+    EXPECT_LT(std::abs(mercury->blueness(0.5, 0.5)), 25);
+    EXPECT_LT(ink->brightness(0.5, 0.5), water->brightness(0.5, 0.5) - 60);
+    EXPECT_NE(call("renderCase", "-look milk").status, 0);
+}
+
+// By density and viscosity, where none is asked for.
+TEST_F(DropCase, RenderCaseKnowsLiquidsByTheirProperties)
+{
+    writeTime("0", {drop(90)});
+    write("constant/liquidProperties", "rho 1420;\nnu 7e-3;\nsigma 0.055;\n");
+    ASSERT_EQ(call("renderCase", "-size 160x100 -view above").status, 0);
+    EXPECT_LT(Picture(path()/"case.png").blueness(0.5, 0.5), -80);
+    write("constant/liquidProperties", "rho 998;\nnu 1e-6;\nsigma 0.0728;\n");
+    ASSERT_EQ(call("renderCase", "-size 160x100 -view above").status, 0);
+    EXPECT_LT(std::abs(Picture(path()/"case.png").blueness(0.5, 0.5)), 50);
+}
+
+// Beside a run the surfaces end before the times do: the latest one is shown, with a word.
+TEST_F(DropCase, RenderCaseShowsTheLatestSurface)
+{
+    writeTime("0", {drop(90)});
+    writeTime("0.01", {drop(100)});
+    writeTime("0.02", {drop(100)}, false);
+    for (const std::string options : {"", "-latestTime "})
+    {
+        const Outcome outcome = call("renderCase", options + "-size 64x64");
+        ASSERT_EQ(outcome.status, 0) << outcome.text;
+        EXPECT_TRUE(holds(outcome.text, {"The latest time 0.02 does not hold a surface mesh. The latest one that does is 0.01", "Time = 0.01"})) << outcome.text;
+    }
+    EXPECT_TRUE(holds(call("renderCase", "-time 0.02 -size 64x64").text, {"Time = 0.02", "No surface: particles are drawn"}));
+    EXPECT_TRUE(holds(call("probeAngle", "-latestTime").text, {"The latest one that does is 0.01", "Time = 0.01: 1 drop"}));
+}
+
+// On a path that holds the rest, but no ffmpeg. Nothing is left behind.
+TEST_F(DropCase, RenderCaseSaysWhatFilmsNeed)
+{
+    writeTime("0", {drop(90)});
+    fs::create_directories(path()/"bin");
+    for (const std::string tool : {"Xvfb", "sh"})
+    {
+        if (fs::exists("/usr/bin/" + tool)) fs::create_symlink("/usr/bin/" + tool, path()/"bin"/tool);
+    }
+    const std::string film = (path()/"film.gif").string();
+    const Outcome without = run("PATH=" + (path()/"bin").string() + " " + program("renderCase") + " -size 64x64 -movie " + film + " -case " + path().string());
+    EXPECT_NE(without.status, 0);
+    EXPECT_TRUE(holds(without.text, {"ffmpeg, which is not installed"})) << without.text;
+    EXPECT_TRUE(holds(call("renderCase", "-movie film.avi").text, {"-movie has the value 'film.avi'", ".mp4 or .gif"}));
+    EXPECT_TRUE(holds(call("renderCase", "-movie film.gif -rate 0").text, {"-rate"}));
+    EXPECT_TRUE(holds(call("renderCase", "-movie film.gif -output a.png").text, {"Both -movie and -output"}));
+    for (const auto& entry : fs::directory_iterator(path())) EXPECT_EQ(entry.path().filename().string().find("film"), std::string::npos);
+}
+
+// Of all times with a surface.
+TEST_F(DropCase, RenderCaseMakesFilms)
+{
+    if (run("ffmpeg -version").status != 0) GTEST_SKIP() << "no ffmpeg";
+    writeTime("0", {drop(90)});
+    writeTime("0.01", {drop(100)});
+    writeTime("0.02", {drop(100)}, false);
+    const std::string film = (path()/"film.gif").string();
+    const Outcome outcome = call("renderCase", "-size 64x64 -movie " + film);
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"Written: " + film + ", 2 pictures"})) << outcome.text;
+    EXPECT_EQ(read("film.gif").substr(0, 6), "GIF89a");
+    EXPECT_FALSE(fs::exists(path()/".film.gif.pictures"));
 }
 
 TEST_F(DropCase, RenderCaseRefusesBadInput)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/time/Time.H"
+#include "core/time/LatestTime.H"
 #include "support/ScratchFolder.H"
 
 using namespace shizuku;
@@ -90,7 +90,28 @@ TEST(TimeFolders, AreSelectedByWhatTheyHold)
     };
     EXPECT_EQ(selected({}), (Names{"0.5", "2"}));
     EXPECT_EQ(selected({"-time", ":1"}), Names{"0.5"});
+    EXPECT_EQ(selected({"-latestTime"}), Names{"2"});
     EXPECT_TRUE(holds(messageOf([&] { selected({"-time", "0"}); }), {"None of the selected times holds liquid", "some", folder.path().string()}));
+}
+
+// Beside a run: the latest that has what is needed, and a word that it is not the latest.
+TEST(TimeFolders, TheLatestOneIsTheLatestThatHolds)
+{
+    const Case folder;
+    folder.write("0.333333/surface/liquid.ply", "");
+    folder.write("0.5/surface/liquid.ply", "");
+    const auto holdsSurface = [](const TimeFolder& time) { return fs::exists(time.path / "surface"); };
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(Case::namesOf(selectTimesWith(folder.arguments({"-latestTime"}), holdsSurface, "a surface", "some")), Names{"0.5"});
+    EXPECT_EQ(latestTimeWith(folder.path(), holdsSurface, "a surface", "some").name, "0.5");
+    const std::string said = "The latest time 2 does not hold a surface. The latest one that does is 0.5\n";
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), said + said);
+    folder.write("2/surface/liquid.ply", "");
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(latestTimeWith(folder.path(), holdsSurface, "a surface", "some").name, "2");
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+    const auto never = [](const TimeFolder&) { return false; };
+    EXPECT_TRUE(holds(messageOf([&] { latestTimeWith(folder.path(), never, "a surface", "some"); }), {"No time holds a surface", "some"}));
 }
 
 TEST(TimeFolders, WrongSelectionsAreErrors)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshes/MeshCurvature.H"
 #include "meshes/MeshTopology.H"
 #include "meshes/PointsInside.H"
 #include "meshes/TriangleMesh.H"
@@ -24,6 +25,25 @@ TriangleMesh moved(TriangleMesh mesh, const Vector3& by)
     return mesh;
 }
 
+}
+
+// 1/R on spheres, within the second order of the edges: 0.07, and five around a corner of the icosahedron.
+TEST(TriangleMesh, CurvatureIsThatOfSpheres)
+{
+    for (const double radius : {1.0, 0.5})
+    {
+        TriangleMesh sphere = icosphereMesh(4);
+        for (Vector3& v : sphere.vertices) v *= radius;
+        double sum = 0;
+        for (const double curvature : meanCurvature(sphere))
+        {
+            EXPECT_NEAR(curvature, 1/radius, 0.01/radius);
+            sum += curvature;
+        }
+        EXPECT_NEAR(sum/double(sphere.vertices.size()), 1/radius, 0.005/radius);
+        for (auto& face : sphere.faces) std::swap(face[0], face[1]);
+        for (const double curvature : meanCurvature(sphere)) EXPECT_LT(curvature, -0.9/radius);         // inside out
+    }
 }
 
 TEST(TriangleMesh, CubeIsExact)

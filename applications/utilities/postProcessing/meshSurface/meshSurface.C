@@ -3,6 +3,7 @@
 //
 // With -parallel each part meshes some layers of the space; files are those of one process, or, as pvtp, pieces that the parts write.
 
+#include "CleanedMesh.H"
 #include "MeshTimes.H"
 #include "caseFiles/LiquidFiles.H"
 #include "core/arguments/runApplication.H"
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -128,11 +130,15 @@ struct MeshNumbers
 {
     double filled, spacing;             // m3: N d^3; m
     bool conserves;
+    CleanedMesh* cleaned;          // null: the mesh as it is
 };
 
 void writeWhole(const Formats& formats, const TimeFolder& time, TriangleMesh mesh, const MeshNumbers& numbers, std::string& text)
 {
-    if (numbers.conserves) text = conserved(offsetToVolume(mesh, numbers.filled, 0.5 * numbers.spacing), numbers.spacing);
+    double offset = 0;
+    if (numbers.cleaned) offset = numbers.cleaned->clean(mesh, time, numbers.conserves ? numbers.filled : mesh.volume());
+    else if (numbers.conserves) offset = offsetToVolume(mesh, numbers.filled, 0.5 * numbers.spacing);
+    if (numbers.conserves) text = conserved(offset, numbers.spacing);
     for (const auto& [word, format] : formats)
     {
         if (!format->takesPieces()) format->write(liquidSurfaceFile(time.path, word), mesh);
@@ -180,11 +186,17 @@ void meshSurface(const Arguments& args, const Communicator& parts)
 
     const double spacing = readSpacing(args.casePath());
     const Units units = Units::near(spacing, 1, 1);
-    LiquidSurface surface(readSurfaceParameters(args.casePath(), units.toScaled(spacing, dimensions::length)));
+    const SurfaceParameters parameters = readSurfaceParameters(args.casePath(), units.toScaled(spacing, dimensions::length));
+    LiquidSurface surface(parameters);
     const SurfaceFileControls controls = readSurfaceFileControls(args.casePath());
     const std::optional<Sides> sides = Sides::read(args.casePath(), units.length);
     const Formats formats = chosenFormats(args, controls.formats);
     const auto times = timesWithLiquid(args);
+    std::optional<CleanedMesh> cleaned;
+    inAllParts(parts, [&]
+    {
+        if (controls.clean && parts.part() == 0) cleaned.emplace(args.casePath(), spacing, units.toSI(parameters.support, dimensions::length));
+    });
     Progress progress("Meshing");
     std::size_t most = 0;
     for (std::size_t t = 0; t < times.size(); ++t)
@@ -199,7 +211,7 @@ void meshSurface(const Arguments& args, const Communicator& parts)
         std::cout << "Time = " << times[t].name << " s: " << mesh.triangles() << " triangles, "
                   << mesh.vertices() << " vertices, volume " << volume << " m3";
         if (filled > 0) std::cout << " (" << signedPercent(volume / filled - 1) << " against the particles' N d^3)";
-        std::cout << write(formats, times[t], mesh, {filled, spacing, controls.conserveVolume && filled > 0}, parts) << std::endl;
+        std::cout << write(formats, times[t], mesh, {filled, spacing, controls.conserveVolume && filled > 0, cleaned ? &*cleaned : nullptr}, parts) << std::endl;
         if (repeats > 0 && filled > 0) reportMeshTimes(surface, particles.span(), repeats);
         progress.update(double(t + 1) / double(times.size()));
         most = std::max(most, own.size());

@@ -4,15 +4,19 @@
 #include "AngleCaption.H"
 #include "CurvedWalls.H"
 #include "FloorPattern.H"
+#include "Movie.H"
 
 #include "caseFiles/CaseGravity.H"
 #include "caseFiles/LiquidFiles.H"
 #include "caseFiles/WallPlane.H"
 #include "core/arguments/runApplication.H"
 #include "core/dictionary/Dictionary.H"
-#include "core/time/Time.H"
+#include "core/messages/Progress.H"
+#include "core/paths/Existence.H"
+#include "core/time/LatestTime.H"
 #include "meshes/MeshTopology.H"
 #include "meshes/PlyFile.H"
+#include "optics/LiquidLook.H"
 #include "vtk/Picture.H"
 #include "vtk/PvtpFile.H"
 #include "vtk/VirtualDisplay.H"
@@ -44,16 +48,22 @@ TriangleMesh readSurface(const TimeFolder& time)
     return std::filesystem::exists(mesh) ? readPly(mesh) : withSharedVertices(readPieces(piecesOfPvtp(liquidSurfaceFile(time.path, "pvtp"))));
 }
 
-// The selected times that hold liquid; the latest of all where none is selected.
+bool hasLiquid(const TimeFolder& time)
+{
+    return hasSurface(time) || std::filesystem::exists(time.path/"liquid/positions");
+}
+
+// The selected times that hold liquid. Where none is selected those with a surface, or of a case without surfaces those with particles: of a film all, else the latest.
 std::vector<TimeFolder> chosenTimes(const Arguments& args)
 {
-    const auto holds = [](const TimeFolder& time)
-    {
-        return std::filesystem::exists(time.path/"liquid/positions") || hasSurface(time);
-    };
-    const std::vector<TimeFolder> times =
-        selectTimesWith(args, holds, "liquid", "<time>/surface/liquid.ply or .pvtp of meshSurface, or <time>/liquid");
-    return args.found("time") ? times : std::vector<TimeFolder>{times.back()};
+    const std::string expected = "<time>/surface/liquid.ply or .pvtp of meshSurface, or <time>/liquid";
+    if (args.found("time") || args.found("listTimes")) return selectTimesWith(args, hasLiquid, "liquid", expected);
+    const std::vector<TimeFolder> all = timeFolders(args.casePath());
+    const bool meshed = std::any_of(all.begin(), all.end(), hasSurface);
+    const auto holds = meshed ? hasSurface : hasLiquid;
+    const std::string what = meshed ? "a surface mesh" : "liquid";
+    if (args.found("movie") && !args.found("latestTime")) return selectTimesWith(args, holds, what, expected);
+    return {latestTimeWith(args.casePath(), holds, what, expected)};
 }
 
 void readSize(PictureView& view, const std::string& size)
@@ -205,9 +215,22 @@ std::filesystem::path fileOf(const Arguments& args, const TimeFolder& time, bool
     return file;
 }
 
-void renderTime(const Arguments& args, const TimeFolder& time, const PictureView& view, const std::filesystem::path& file)
+// Of the option, or by the liquid of constant/liquidProperties: mercury is heavy, honey is thick.
+std::string lookOf(const Arguments& args)
+{
+    if (args.found("look")) return args.get("look");
+    const auto file = args.casePath()/"constant/liquidProperties";
+    if (!isThere(file)) return "water";
+    const Dictionary liquid = Dictionary::read(file);
+    constexpr double heavy = 1e4, thick = 1e-4;         // kg/m3, m2/s
+    if (liquid.lookupDimensionedOr("rho", dimensions::density, 0) > heavy) return "mercury";
+    return liquid.lookupDimensionedOr("nu", dimensions::kinematicViscosity, 0) > thick ? "honey" : "water";
+}
+
+PictureScene sceneOf(const Arguments& args, const TimeFolder& time, const std::string& angle)
 {
     PictureScene scene;
+    scene.look = lookOf(args);
     scene.spacing = readSpacing(args.casePath());
     addLiquid(scene, time);
     addWalls(scene, args.casePath(), time.value);
@@ -215,22 +238,50 @@ void renderTime(const Arguments& args, const TimeFolder& time, const PictureView
     scene.up = upward(args.casePath(), scene.floor);
     std::ostringstream caption;
     caption << args.casePath().filename().string() << ", t = " << 1e3*time.value << " ms";
-    const std::string angle = angleCaption(args.casePath(), time.value);
     scene.caption = caption.str() + (angle.empty() ? "" : "\n" + angle);
+    return scene;
+}
 
-    renderPicture(scene, view, file);
-    std::cout << "Time = " << time.name << "\n" << angle << (angle.empty() ? "" : "\n") << "Written: " << file.string() << std::endl;
+void renderTime(const Arguments& args, const TimeFolder& time, const PictureView& view, const std::filesystem::path& file)
+{
+    const std::string angle = angleCaption(args.casePath(), time.value);
+    renderPicture(sceneOf(args, time, angle), view, file);
+    std::cout << "Time = " << time.name << "\n" << (hasSurface(time) ? "" : "No surface: particles are drawn. meshSurface makes one\n") << angle
+              << (angle.empty() ? "" : "\n");
+}
+
+void renderMovie(const Arguments& args, const std::vector<TimeFolder>& times, const PictureView& view)
+{
+    const Movie movie(args.get("movie"), args.getDouble("rate"));
+    Progress progress("Film");
+    for (std::size_t i = 0; i < times.size(); ++i)
+    {
+        renderTime(args, times[i], view, movie.picture(i));
+        progress.update(double(i + 1)/double(times.size()));
+    }
+    movie.write();
+    std::cout << "Written: " << std::filesystem::absolute(args.get("movie")).string() << ", " << times.size() << " pictures" << std::endl;
 }
 
 void render(const Arguments& args)
 {
+    if (args.found("movie") && args.found("output")) throw FatalInputError({}, "Both -movie and -output are given", "one of them");
     const std::vector<TimeFolder> times = chosenTimes(args);
     PictureView view = readView(args);
     if (times.size() > 1) view.frame = boundsOf(times);
     std::vector<std::filesystem::path> files;
     for (const TimeFolder& time : times) files.push_back(fileOf(args, time, times.size() > 1));
     const VirtualDisplay display;
-    for (std::size_t i = 0; i < times.size(); ++i) renderTime(args, times[i], view, files[i]);
+    if (args.found("movie"))
+    {
+        renderMovie(args, times, view);
+        return;
+    }
+    for (std::size_t i = 0; i < times.size(); ++i)
+    {
+        renderTime(args, times[i], view, files[i]);
+        std::cout << "Written: " << files[i].string() << std::endl;
+    }
 }
 
 }
@@ -244,9 +295,12 @@ int main(int argc, char** argv)
     options.push_back({"centre", "(X Y Z)", "Centre of the picture, m (default: centre of the liquid)", ""});
     options.push_back({"width", "METRES", "Width of the picture at its centre (default: the liquid of all times fits)", ""});
     options.push_back({"view", "side|perspective|above", "Look level, down slightly, or down from above", "perspective"});
+    options.push_back({"look", "water|honey|mercury|ink|plain", "Look of the liquid (default: by its density and viscosity); plain is blue and opaque", ""});
+    options.push_back({"movie", "FILE", "A film of the selected times, or of all times, by ffmpeg: .mp4 or .gif", ""});
+    options.push_back({"rate", "N", "Pictures of the film per second", "25"});
     return runApplication
     (
         argc, argv,
-        {"renderCase", "Render the latest time, or selected times, to PNG files without a display.", options}, render
+        {"renderCase", "Render the latest time, or selected times, to PNG files or a film, without a display.", options}, render
     );
 }

@@ -2,7 +2,8 @@
 // Converts a case to .vtp files and animations for ParaView: the liquid's particles, its surface, the solid particles.
 //
 //     VTK/liquid/liquid_<index>.vtp       particles: U [m/s], id, and every other field of <time>/liquid in its SI unit
-//     VTK/surface/surface_<index>.vtp     mesh of meshSurface, with normals
+//     VTK/surface/surface_<index>.vtp     mesh of meshSurface: normals, curvature [1/m], theta [degrees] of the wall where it is near, NaN elsewhere, and the
+//                                         particles' fields (SurfaceFields.H); in pieces with normals alone
 //     VTK/solid/solid_<index>.vtp         solid particles, where they are at the time: normals out of the solid, patch (its number), theta [degrees]
 //     VTK/<name>.pvd, <name>.vtp.series   the animations
 //
@@ -13,6 +14,7 @@
 // times, whichever are selected. The animations keep what was converted before of times that are not selected now.
 
 #include "LiquidFields.H"
+#include "SurfaceFields.H"
 
 #include "caseFiles/LiquidFiles.H"
 #include "caseFiles/SolidParticles.H"
@@ -20,6 +22,8 @@
 #include "core/arguments/runApplication.H"
 #include "core/messages/Progress.H"
 #include "core/time/Time.H"
+#include "drops/foot/WallsNear.H"
+#include "meshes/MeshCurvature.H"
 #include "meshes/PlyFile.H"
 #include "parallel/AllParts.H"
 #include "parallel/ParallelRun.H"
@@ -27,6 +31,7 @@
 #include "wallMotions/WallMotions.H"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <optional>
 
@@ -154,7 +159,7 @@ private:
         {
             inAllParts(parts_, [&]
             {
-                if (parts_.part() == converter) surface_.add(time.value, index, vtpOf(readPly(liquidSurfaceFile(time.path))), spacing_);
+                if (parts_.part() == converter) surface_.add(time.value, index, withFields(readPly(liquidSurfaceFile(time.path)), time), spacing_);
                 else surface_.addOther(time.value, index);
             });
         }
@@ -164,6 +169,39 @@ private:
             inAllParts(parts_, [&] { own = ownPieces(file, parts_); });
             surface_.addPiece(time.value, index, vtpOf(own), spacing_, parts_);
         }
+    }
+
+    VtpContent withFields(const TriangleMesh& mesh, const TimeFolder& time)
+    {
+        VtpContent surface = vtpOf(mesh);
+        constexpr Dimensions perLength{{0, -1, 0, 0, 0, 0, 0}};
+        surface.pointFields.push_back({"curvature", FieldType::scalar, perLength, false, meanCurvature(mesh)});
+        addTheta(surface, time);
+        if (!std::filesystem::exists(time.path/"liquid/positions")) return surface;
+        const auto all = [](std::size_t n) { return ElementRange{0, n}; };
+        const std::vector<Vector3> particles = readLiquidPositions(time.path, all);
+        for (FieldData& field : fieldsAt(surface.points, particles, fields_.read(time.path, particles.size(), all), spacing_))
+        {
+            const auto same = [&](const FieldData& other) { return other.name == field.name; };
+            if (std::none_of(surface.pointFields.begin(), surface.pointFields.end(), same)) surface.pointFields.push_back(std::move(field));
+        }
+        return surface;
+    }
+
+    // What the case prescribes, where a wall is.
+    void addTheta(VtpContent& surface, const TimeFolder& time)
+    {
+        constexpr double near = 0.75;           // spacings
+        if (!walls_) walls_.emplace(case_, spacing_);
+        if (!walls_->any()) return;
+        walls_->readTheta(time.value);
+        FieldData theta{"theta", FieldType::scalar, dimensions::none, false, {}};
+        for (const Vector3& x : surface.points)
+        {
+            const auto wall = walls_->at(x, near*spacing_);
+            theta.values.push_back(wall ? wall->theta : std::nan(""));
+        }
+        surface.pointFields.push_back(std::move(theta));
     }
 
     void finish() const
@@ -195,7 +233,8 @@ private:
     double spacing_;
     LiquidFields fields_;
     VtkSeries liquid_, surface_, solid_;
-    std::optional<SolidConverter> solidConverter_;      // of part 0
+    std::optional<SolidConverter> solidConverter_;
+    std::optional<WallsNear> walls_;    // of the part that converts a surface      // of part 0
 };
 
 }

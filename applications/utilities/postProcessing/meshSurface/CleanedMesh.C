@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "CleanedMesh.H"
+
+#include "caseFiles/LiquidFiles.H"
+
+namespace shizuku
+{
+
+CleanedMesh::CleanedMesh(const std::filesystem::path& casePath, double spacing, double support)
+: walls_(casePath, spacing), foot_(walls_, spacing, support)
+{}
+
+double CleanedMesh::clean(TriangleMesh& mesh, const TimeFolder& time, double volume)
+{
+    if (!walls_.any()) return foot_.clean(mesh, {}, volume);
+    walls_.readTheta(time.value);
+    return foot_.clean(mesh, readLiquidPositions(time.path), volume);
+}
+
+}

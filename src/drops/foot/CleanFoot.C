@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drops/foot/CleanFoot.H"
+
+#include "core/angles/Degrees.H"
+#include "device/HostThreads.H"
+#include "drops/foot/FootPlaces.H"
+#include "drops/foot/SmoothedLiquid.H"
+#include "meshes/VertexNeighbours.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shizuku
+{
+
+namespace
+{
+
+using Role = FootPlace::Role;
+using Wall = WallsNear::Wall;
+
+constexpr double wetted = 0.75;                     // spacings: half of one is what the mesh may be off at a layer of particles
+constexpr double follows = 0.375, stays = 0.875;    // supports: up to that height vertices follow the level, from there on they stay
+constexpr double wider = 1.5;                       // support of the level's kernel, supports
+constexpr int smoothingPasses = 20;                          // of Taubin's
+constexpr double towardsMean = 0.5, backFromMean = -0.52;
+
+// What of the way to the level a vertex goes.
+double partOfWay(const FootPlace& place, double support)
+{
+    if (place.role == Role::line) return 1;
+    const double p = std::clamp((stays - place.wall->height/support)/(stays - follows), 0.0, 1.0);
+    return p*p*(3 - 2*p);
+}
+
+// A vertex on its way to the level of the wedge.
+class LevelWalk
+{
+public:
+    LevelWalk(const SmoothedLiquid& liquid, const WedgeLevel& level, double spacing) : liquid_(liquid), level_(level), spacing_(spacing) {}
+
+    // Where the level is not found within `farthest` the start, on the wall if it is of the contact line.
+    Vector3 end(const Vector3& start, const Vector3& normal, const Wall& wall, bool isLine) const
+    {
+        constexpr int steps = 12;
+        const double farthest = (isLine ? 2.5 : 1.5)*spacing_;
+        const double theta = wedgeOf(wall, normal);
+        const Vector3 from = isLine ? start - wall.height*wall.normal : start;
+        Vector3 x = from;
+        for (int step = 0; step < steps; ++step)
+        {
+            const Vector3 way = wayToLevel(x, wall, heightOf(x, start, wall), theta, isLine);
+            x += way;
+            const double height = heightOf(x, start, wall);
+            if (isLine || height < 0) x -= height*wall.normal;
+            if (length(x - from) > farthest) return from;
+            if (length(way) < 1e-3*spacing_) break;
+        }
+        return x;
+    }
+
+private:
+    // Degrees. Away from the contact line that of the face as it is: a film's is parallel to the wall, whatever the contact angle is.
+    double wedgeOf(const Wall& wall, const Vector3& normal) const
+    {
+        const double own = degrees(std::acos(std::clamp(dot(normal, wall.normal), -1.0, 1.0)));
+        const double away = std::clamp((wall.height/spacing_ - 0.5)/0.75, 0.0, 1.0);
+        return wall.theta + away*(own - wall.theta);
+    }
+
+    static double heightOf(const Vector3& x, const Vector3& start, const Wall& wall) { return wall.height + dot(x - start, wall.normal); }
+
+    Vector3 wayToLevel(const Vector3& x, const Wall& wall, double height, double theta, bool alongWall) const
+    {
+        const double small = 0.02*spacing_, longest = 0.2*spacing_;
+        const double above = std::max(0.0, height), level = level_(above, theta);
+        Vector3 gradient;
+        const double phi = liquid_.at(x, gradient);
+        gradient -= (level_(above + small, theta) - level)/small*wall.normal;
+        if (alongWall || height <= 0) gradient -= dot(gradient, wall.normal)*wall.normal;
+        const double steepness = length(gradient);
+        if (steepness*spacing_ < 0.01) return {};
+        return std::clamp((level - phi)/steepness, -longest, longest)/steepness*gradient;
+    }
+
+    const SmoothedLiquid& liquid_;
+    const WedgeLevel& level_;
+    double spacing_;
+};
+
+void goToWalls(TriangleMesh& mesh, const std::vector<FootPlace>& places, const LevelWalk& walk, double support)
+{
+    forEachInParallel(places.size(), [&](std::size_t v)
+    {
+        const FootPlace& place = places[v];
+        if (!place.wall) return;
+        Vector3& x = mesh.vertices[v];
+        if (place.role == Role::wall) x -= place.wall->height*place.wall->normal;
+        else x += partOfWay(place, support)*(walk.end(x, mesh.normals[v], *place.wall, place.role == Role::line) - x);
+    });
+}
+
+// Vertices on walls move along them, those of the contact line by neighbours of the line alone.
+void smoothFoot(TriangleMesh& mesh, const std::vector<FootPlace>& places)
+{
+    const auto counts = [&](int i, int j) { return places[i].role != Role::line || places[j].role == Role::line; };
+    const VertexNeighbours neighbours(mesh, counts);
+    for (int pass = 0; pass < smoothingPasses; ++pass)
+    {
+        for (const double part : {towardsMean, backFromMean})
+        {
+            const std::vector<Vector3> ways = neighbours.waysToMean(mesh.vertices);
+            for (std::size_t v = 0; v < places.size(); ++v)
+            {
+                if (places[v].role == Role::line && neighbours.count(v) < 2) continue;
+                Vector3 way = part*ways[v];
+                if (places[v].role != Role::free) way -= dot(way, places[v].wall->normal)*places[v].wall->normal;
+                mesh.vertices[v] += way;
+            }
+        }
+    }
+}
+
+// A third of the faces around each vertex, as vectors. freeAlone: at the contact line without those on the wall.
+std::vector<Vector3> areaVectors(const TriangleMesh& mesh, const std::vector<FootPlace>& places, bool freeAlone)
+{
+    std::vector<Vector3> areas(places.size());
+    for (const auto& face : mesh.faces)
+    {
+        const auto& [i, j, k] = face;
+        const Vector3 third = cross(mesh.vertices[j] - mesh.vertices[i], mesh.vertices[k] - mesh.vertices[i])/6;
+        const bool isFree = std::any_of(face.begin(), face.end(), [&](int v) { return places[v].role == Role::free; });
+        for (const int v : face)
+        {
+            if (isFree || !freeAlone || places[v].role != Role::line) areas[v] += third;
+        }
+    }
+    return areas;
+}
+
+std::vector<Vector3> normalsOf(const TriangleMesh& mesh, const std::vector<FootPlace>& places)
+{
+    std::vector<Vector3> normals = areaVectors(mesh, places, true);
+    for (std::size_t v = 0; v < normals.size(); ++v)
+    {
+        const double area = length(normals[v]);
+        normals[v] = area > 0 ? normals[v]/area : mesh.normals[v];
+    }
+    return normals;
+}
+
+// Where each vertex goes when the free surface moves by one: along its normal, at the contact line along the wall.
+std::vector<Vector3> waysOut(const TriangleMesh& mesh, const std::vector<FootPlace>& places)
+{
+    constexpr double flattest = 0.1;        // square of the sine of the contact angle that counts
+    std::vector<Vector3> ways = normalsOf(mesh, places);
+    for (std::size_t v = 0; v < ways.size(); ++v)
+    {
+        if (places[v].role == Role::wall) ways[v] = {};
+        if (places[v].role != Role::line) continue;
+        ways[v] -= dot(ways[v], places[v].wall->normal)*places[v].wall->normal;
+        ways[v] *= 1/std::max(squaredLength(ways[v]), flattest);
+    }
+    return ways;
+}
+
+// Moves the free surface until the mesh encloses that [m3], and returns by how much. NaN where that is farther than `most` [m]: then it stays.
+double fillTo(TriangleMesh& mesh, const std::vector<FootPlace>& places, double volume, double most)
+{
+    constexpr int turns = 8;
+    const std::vector<Vector3> ways = waysOut(mesh, places), start = mesh.vertices;
+    double offset = 0;
+    for (int turn = 0; turn < turns; ++turn)
+    {
+        const double missing = volume - mesh.volume();
+        if (std::abs(missing) <= 1e-5*std::abs(volume)) return offset;
+        double grows = 0;
+        const std::vector<Vector3> areas = areaVectors(mesh, places, false);
+        for (std::size_t v = 0; v < ways.size(); ++v) grows += dot(ways[v], areas[v]);
+        offset += missing/grows;
+        if (!(std::abs(offset) <= most)) break;
+        for (std::size_t v = 0; v < ways.size(); ++v) mesh.vertices[v] = start[v] + offset*ways[v];
+    }
+    mesh.vertices = start;
+    return std::nan("");
+}
+
+// Curved walls turn away from what was moved along their planes.
+void endOnWalls(TriangleMesh& mesh, const std::vector<FootPlace>& places, const WallsNear& walls, double reach)
+{
+    forEachInParallel(places.size(), [&](std::size_t v)
+    {
+        if (places[v].role == Role::free) return;
+        if (const auto wall = walls.at(mesh.vertices[v], reach)) mesh.vertices[v] -= wall->height*wall->normal;
+    });
+}
+
+}
+
+CleanFoot::CleanFoot(const WallsNear& walls, double spacing, double support)
+: walls_(walls), spacing_(spacing), support_(support), level_(wider*support)
+{}
+
+double CleanFoot::clean(TriangleMesh& mesh, const std::vector<Vector3>& particles, double volume) const
+{
+    const double reach = stays*support_, most = 0.5*spacing_;
+    if (mesh.faces.empty()) return volume > 0 ? std::nan("") : 0;
+    const std::vector<FootPlace> places = footPlaces(mesh, walls_, reach, wetted*spacing_);
+    if (walls_.any())
+    {
+        const SmoothedLiquid liquid(particles, spacing_, wider*support_);
+        goToWalls(mesh, places, LevelWalk(liquid, level_, spacing_), support_);
+    }
+    smoothFoot(mesh, places);
+    endOnWalls(mesh, places, walls_, reach);
+    const double offset = fillTo(mesh, places, volume, most);
+    endOnWalls(mesh, places, walls_, reach);
+    mesh.normals = normalsOf(mesh, places);
+    return offset;
+}
+
+}
