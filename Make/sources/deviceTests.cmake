@@ -69,6 +69,7 @@ set(SHIZUKU_DEVICE_TESTS
     stepping/TestCaseSetup.C
     stepping/TestParts.C
     stepping/TestRestart.C
+    stepping/TestSides.C
     stepping/TestStartCheck.C
     stepping/TestSubStep.C
     stepping/TestTimeStep.C
@@ -76,11 +77,10 @@ set(SHIZUKU_DEVICE_TESTS
     surface/TestMarchingCubesTable.C
     surface/TestPencil.C
     walls/TestHalfSpace.C
+    walls/TestMovingWalls.C
     walls/TestWallSurface.C
     walls/TestWallView.C
     walls/TestWalls.C
-    stepping/TestSides.C
-    walls/TestMovingWalls.C
 )
 # Headers that most of them include, compiled once. Paths below tests/.
 set(SHIZUKU_DEVICE_TEST_HEADERS

@@ -125,7 +125,8 @@ TEST(ContinuumSurfaceForce, HoldsLaplacesPressureInABall)
     }
 }
 
-// A free body is not set moving as a whole, however its particles lie: 512 velocities, each rounded to 6e-8 of the largest.
+// A free body is not set moving as a whole, however its particles lie: 512 ways, each rounded to whole 2^-31 of a unit, over a step of 0.01, make 3e-7 along each axis, root mean square,
+// where the largest velocity is 7e-3. Four times that.
 TEST(ContinuumSurfaceForce, DoesNotMoveFreeLiquidAsAWhole)
 {
     LiquidCase drop;
@@ -155,7 +156,7 @@ TEST(ContinuumSurfaceForce, DoesNotMoveFreeLiquidAsAWhole)
     EXPECT_GT(sumAndLargest().first, 0.1 * sumAndLargest().second);     // there is something to take back
     ASSERT_TRUE(tension->isInternal());
     RigidMotion().remove(drop.liquid, {}, {std::as_const(acceleration).span(), dt * dt}, drop.walls, drop.surface.support(), dt);
-    EXPECT_LT(sumAndLargest().first, 1e-4 * sumAndLargest().second);
+    EXPECT_LT(sumAndLargest().first, 3e-4 * sumAndLargest().second);
 }
 
 // Farther than two supports from the edges of a block, whose own force shows that the model acts. The normals differ by
