@@ -230,6 +230,7 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
     });
     const FindSurface findSurface{near.view(), std::as_const(isExposed).span(), isNear.span()};
     liquid.ghosts().forEachTeam(liquid.owned(), findSurface, {valuesOf(isExposed)}, {valuesOf(isNear)}, GhostsOf::all);
+    isExposed = {};
     particles_.ghosts = liquid.all() - liquid.owned();
     select(isNear, particles_, room_, readCount_);
     asked_ = true;
