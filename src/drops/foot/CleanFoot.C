@@ -100,24 +100,75 @@ void goToWalls(TriangleMesh& mesh, const std::vector<FootPlace>& places, const L
     });
 }
 
-// Vertices on walls move along them, those of the contact line by neighbours of the line alone.
-void smoothFoot(TriangleMesh& mesh, const std::vector<FootPlace>& places)
+// Vertices go towards the mean of their neighbours: those on walls along them, those of the contact line by neighbours of the line alone.
+class FootSmoothing
 {
-    const auto counts = [&](int i, int j) { return places[i].role != Role::line || places[j].role == Role::line; };
-    const VertexNeighbours neighbours(mesh, counts);
+public:
+    FootSmoothing(const TriangleMesh& mesh, const std::vector<FootPlace>& places)
+    : places_(places), neighbours_(mesh, [&](int i, int j) { return places[i].role != Role::line || places[j].role == Role::line; })
+    {}
+
+    // By that part of the way, those that moves(v) tells.
+    template<class Moves>
+    void pass(TriangleMesh& mesh, double part, const Moves& moves) const
+    {
+        const std::vector<Vector3> ways = neighbours_.waysToMean(mesh.vertices);
+        for (std::size_t v = 0; v < places_.size(); ++v)
+        {
+            if (!moves(v) || (places_[v].role == Role::line && neighbours_.count(v) < 2)) continue;
+            Vector3 way = part*ways[v];
+            if (places_[v].role != Role::free) way -= dot(way, places_[v].wall->normal)*places_[v].wall->normal;
+            mesh.vertices[v] += way;
+        }
+    }
+
+private:
+    const std::vector<FootPlace>& places_;
+    VertexNeighbours neighbours_;
+};
+
+// Of each vertex, whether it is next to a face that has turned over: on a wall away from it, elsewhere against the normals that the mesh had. Empty: none has.
+std::vector<bool> turnedOver(const TriangleMesh& mesh, const std::vector<FootPlace>& places)
+{
+    std::vector<bool> turned;
+    for (const auto& face : mesh.faces)
+    {
+        const auto& [i, j, k] = face;
+        const Vector3 area = cross(mesh.vertices[j] - mesh.vertices[i], mesh.vertices[k] - mesh.vertices[i]);
+        const bool onWall = std::none_of(face.begin(), face.end(), [&](int v) { return places[v].role == Role::free; });
+        const Vector3 outward = onWall ? -places[i].wall->normal : mesh.normals[i] + mesh.normals[j] + mesh.normals[k];
+        if (dot(area, outward) > 0) continue;
+        if (turned.empty()) turned.resize(mesh.vertices.size());
+        for (const int v : face) turned[v] = true;
+    }
+    const std::vector<bool> own = turned;
+    for (const auto& face : mesh.faces)
+    {
+        if (own.empty() || std::none_of(face.begin(), face.end(), [&](int v) { return own[v]; })) continue;
+        for (const int v : face) turned[v] = true;
+    }
+    return turned;
+}
+
+// Takes short waves out.
+void smoothFoot(TriangleMesh& mesh, const FootSmoothing& smoothing)
+{
     for (int pass = 0; pass < smoothingPasses; ++pass)
     {
-        for (const double part : {towardsMean, backFromMean})
-        {
-            const std::vector<Vector3> ways = neighbours.waysToMean(mesh.vertices);
-            for (std::size_t v = 0; v < places.size(); ++v)
-            {
-                if (places[v].role == Role::line && neighbours.count(v) < 2) continue;
-                Vector3 way = part*ways[v];
-                if (places[v].role != Role::free) way -= dot(way, places[v].wall->normal)*places[v].wall->normal;
-                mesh.vertices[v] += way;
-            }
-        }
+        for (const double part : {towardsMean, backFromMean}) smoothing.pass(mesh, part, [](std::size_t) { return true; });
+    }
+}
+
+// Smooths what has been folded over, of those that may move, until nothing is, or as often as it helps.
+template<class May>
+void unfold(TriangleMesh& mesh, const std::vector<FootPlace>& places, const FootSmoothing& smoothing, const May& may)
+{
+    constexpr int passes = 200;
+    for (int pass = 0; pass < passes; ++pass)
+    {
+        const std::vector<bool> turned = turnedOver(mesh, places);
+        if (turned.empty()) break;
+        smoothing.pass(mesh, towardsMean, [&](std::size_t v) { return turned[v] && may(v); });
     }
 }
 
@@ -211,9 +262,12 @@ double CleanFoot::clean(TriangleMesh& mesh, const std::vector<Vector3>& particle
         const SmoothedLiquid liquid(particles, spacing_, wider*support_);
         goToWalls(mesh, places, LevelWalk(liquid, level_, spacing_), support_);
     }
-    smoothFoot(mesh, places);
+    const FootSmoothing smoothing(mesh, places);
+    smoothFoot(mesh, smoothing);
+    unfold(mesh, places, smoothing, [](std::size_t) { return true; });
     endOnWalls(mesh, places, walls_, reach);
     const double offset = fillTo(mesh, places, volume, most);
+    unfold(mesh, places, smoothing, [&](std::size_t v) { return places[v].role == Role::wall; });      // encloses the same
     endOnWalls(mesh, places, walls_, reach);
     mesh.normals = normalsOf(mesh, places);
     return offset;

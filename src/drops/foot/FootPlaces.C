@@ -43,6 +43,17 @@ std::vector<FootPlace> footPlaces(const TriangleMesh& mesh, const WallsNear& wal
             if (!isWall(v) && places[v].wall) places[v].role = Role::line;
         }
     }
+    // A vertex that no face joins to the free surface is within the wetted area.
+    std::vector<bool> atFree(places.size());
+    for (const auto& face : mesh.faces)
+    {
+        if (std::none_of(face.begin(), face.end(), [&](int v) { return places[v].role == Role::free; })) continue;
+        for (const int v : face) atFree[v] = true;
+    }
+    for (std::size_t v = 0; v < places.size(); ++v)
+    {
+        if (places[v].role == Role::line && !atFree[v]) places[v].role = Role::wall;
+    }
     return places;
 }
 
