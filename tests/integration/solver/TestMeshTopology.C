@@ -59,12 +59,14 @@ INSTANTIATE_TEST_SUITE_P(Devices, MeshTopology, testing::ValuesIn(devices()));
 
 }
 
-// A half sphere of 900 particles, wholly above its floor: one closed surface that looks outward, does not meet itself and holds the particles'
-// volume within 1 %.
-TEST_P(MeshTopology, OfADrop)
+namespace
 {
-    const double radius = std::cbrt(3*900/(2*std::numbers::pi));
-    std::vector<Vector3> places;
+
+// A half sphere of so many particles on the floor around (middle 0 0), each moved by up to `disorder` along each axis. In spacings.
+std::vector<Vector3> halfSphere(int particles, double middle, scalar disorder)
+{
+    const double radius = std::cbrt(3*particles/(2*std::numbers::pi));
+    std::vector<Vec3> points;
     for (int i = -12; i < 12; ++i)
     {
         for (int j = -12; j < 12; ++j)
@@ -72,14 +74,41 @@ TEST_P(MeshTopology, OfADrop)
             for (int k = 0; k < 12; ++k)
             {
                 const Vector3 p(i + 0.3, j + 0.6, k + 0.5);
-                if (length(p) < radius) places.push_back(p);
+                if (length(p) < radius) points.push_back({scalar(p.x), scalar(p.y), scalar(p.z)});
             }
         }
     }
+    RandomNumbers random(7);
+    if (disorder > 0) shizuku::test::disorder(points, disorder, random);
+    std::vector<Vector3> places;
+    for (const Vec3& p : points) places.emplace_back(p.x + middle, p.y, p.z);
+    return places;
+}
+
+}
+
+// As the mesher makes it, of a lattice: one closed surface that looks outward, does not meet itself and holds the particles' volume within 1 %.
+TEST_P(MeshTopology, OfADrop)
+{
+    write("system/meshSurfaceDict", "clean no;");
+    const std::vector<Vector3> places = halfSphere(2000, 0, 0);
     const Mesh mesh = meshOf(places);
     EXPECT_TRUE(PMP::is_outward_oriented(mesh));
     EXPECT_FALSE(PMP::does_self_intersect(mesh));
     EXPECT_NEAR(PMP::volume(mesh)/(places.size()*spacing*spacing*spacing), 1, 0.01);
+}
+
+// Cleaned, of drops between the walls of the case, a lattice and disordered liquid.
+TEST_P(MeshTopology, OfACleanedDrop)
+{
+    for (const scalar disorder : {0.0f, 0.15f})
+    {
+        const std::vector<Vector3> places = halfSphere(300, 2.5, disorder);
+        const Mesh mesh = meshOf(places);
+        EXPECT_TRUE(PMP::is_outward_oriented(mesh));
+        EXPECT_FALSE(PMP::does_self_intersect(mesh)) << disorder;
+        EXPECT_NEAR(PMP::volume(mesh)/(places.size()*spacing*spacing*spacing), 1, 0.02);
+    }
 }
 
 // Scattered, torn liquid of one to twenty particles: every case of cells, and still surfaces that bound a volume.
