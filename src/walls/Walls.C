@@ -111,7 +111,6 @@ void Walls::useBodies(const Liquid& liquid, WallMotions motions)
     bodies_ = WallBodies(std::move(motions), liquid.units());
     for (std::size_t a = 0; a < analytic_.size(); ++a) analytic_[a].body = bodies_.motions().indexOf(surfaceNames_[a]);
     given_ = analytic_;
-    giveSurfaces();
     if (layer_) layer_->setBodies(bodies_.motions().indicesOf(case_, readSolidParticles(case_)), liquid);
     if (bodies_.turn()) constraints_.constrainAll();        // its normals are others in each step
 }

@@ -23,21 +23,22 @@ CaseText movingFloor(bool sampled, const std::string& motion)
 
 struct VelocityAt
 {
+    int wall;
     WallView walls;
     Span<const Position> at;
     Span<Vec3> velocity;
 
     HOST_DEVICE void operator()(int i) const
     {
-        velocity[i] = walls.velocity(0, i, at[i]);      // the one wall that there is
+        velocity[i] = walls.velocity(wall, i, at[i]);
     }
 };
 
-// In m/s, at the liquid particles.
-std::vector<Vec3> velocitiesOfWalls(LiquidCase& drop)
+// Of a wall, in m/s, at the liquid particles.
+std::vector<Vec3> velocitiesOfWalls(LiquidCase& drop, int wall = 0)
 {
     Buffer<Vec3> velocity(drop.liquid.owned());
-    forEach(drop.liquid.owned(), VelocityAt{drop.walls.view(drop.liquid), std::as_const(drop.liquid.predicted).span(), velocity.span()});
+    forEach(drop.liquid.owned(), VelocityAt{wall, drop.walls.view(drop.liquid), std::as_const(drop.liquid.predicted).span(), velocity.span()});
     std::vector<Vec3> found = drop.inOrder(velocity);
     for (Vec3& v : found) v = scalar(drop.liquid.units().of(dimensions::velocity)) * v;
     return found;
@@ -64,6 +65,24 @@ TEST(MovingWalls, HaveTheVelocityOfTheirBodies)
             EXPECT_NEAR(v.z, 0, 1e-7) << sampled;
         }
     }
+}
+
+// Behind as many analytic walls as kernels have at hand (WallSurfacesView::few), too.
+TEST(MovingWalls, HaveTheirVelocityHoweverManyThereAre)
+{
+    CaseText text = movingFloor(false, "type translation; velocity (0.3 0 -0.4);");
+    std::string others;
+    for (int k = 0; k < WallSurfacesView::few; ++k) others += "far" + std::to_string(k) + " { type plane; point (0 0 -1); normal (0 0 1); }\n";
+    text.walls = others + text.walls;
+    LiquidCase drop(text);
+    drop.place({{0, 0, 0.5f}});
+    drop.walls.moveTo(0, 1e-4);
+    drop.walls.update(drop.liquid);
+    const Vec3 v = velocitiesOfWalls(drop, WallSurfacesView::few)[0];
+    // Single precision of a way of 5e-5 m.
+    EXPECT_NEAR(v.x, 0.3, 1e-5);
+    EXPECT_NEAR(v.z, -0.4, 1e-5);
+    EXPECT_EQ(norm(velocitiesOfWalls(drop, 0)[0]), 0);
 }
 
 // A wall has no memory: how it came to a place does not matter, to the bit and in the order of its particles.
