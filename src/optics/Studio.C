@@ -2,6 +2,7 @@
 #include "optics/Studio.H"
 
 #include "core/angles/Degrees.H"
+#include "optics/StudioPanel.H"
 
 #include <algorithm>
 #include <array>
@@ -13,21 +14,8 @@ namespace shizuku
 namespace
 {
 
-// In degrees as seen from the liquid, azimuths from the right towards the viewer; the light falls off softly at the rim.
-struct Panel
-{
-    double fromAzimuth, toAzimuth, fromElevation, toElevation, brightness;
-
-    double light(double azimuth, double elevation) const
-    {
-        constexpr double rim = 5;
-        const double across = std::min(azimuth - fromAzimuth, toAzimuth - azimuth)/rim;
-        const double along = std::min(elevation - fromElevation, toElevation - elevation)/rim;
-        return brightness*std::clamp(across, 0.0, 1.0)*std::clamp(along, 0.0, 1.0);
-    }
-};
-
-constexpr std::array<Panel, 2> panels{{{108, 165, 36, 68, 9}, {15, 45, 15, 65, 3}}};
+// Azimuths from the right towards the viewer.
+constexpr std::array<StudioPanel, 2> panels{{{108, 165, 36, 68, 9, 5}, {15, 45, 15, 65, 3, 5}}};
 
 }
 
@@ -38,7 +26,7 @@ Colour Studio::light(const Vector3& direction) const
     if (azimuth < 0) azimuth += 360;
     const double soft = std::clamp(elevation/75, 0.0, 1.0), below = std::clamp(-elevation/40, 0.0, 1.0);
     double light = 0.94 - 0.62*soft*soft*(3 - 2*soft) - 0.5*below;
-    for (const Panel& panel : panels) light += panel.light(azimuth, elevation);
+    for (const StudioPanel& panel : panels) light += panel.light(azimuth, elevation);
     return {0.97*light, 0.985*light, light};
 }
 
