@@ -18,6 +18,7 @@
 #include <iostream>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 namespace shizuku
 {
@@ -67,7 +68,8 @@ LiquidAtStart liquidAtStart(const FlowView& flow, const Liquid& liquid)
     if (flow.particles() > most) return {};
     const std::vector<Vector3> positions = positionsOf(liquid), velocities = velocitiesOf(liquid);
     if (liquid.parts().part() > 0) return {};
-    return {positions, separateBodies(positions, velocities, flow.properties().spacing)};
+    std::vector<SeparateBody> bodies = separateBodies(positions, velocities, flow.properties().spacing);
+    return {std::move(positions), std::move(bodies)};
 }
 
 // Of many solid particles none are read once more for it: checkCase looks at any.
