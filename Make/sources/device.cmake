@@ -139,4 +139,6 @@ set(SHIZUKU_DEVICE_SOURCES
     neighbours/ImagesOfLiquid.C
     walls/WallsAtSides.C
     walls/WallBodies.C
+    motion/ViscousWork.C
+    stepping/Sleep.C
 )

@@ -134,6 +134,11 @@ bool FunctionObjects::lookAtParticles(const Time& time) const { return anyDue(ti
 bool FunctionObjects::lookAtSurface(const Time& time) const { return anyDue(time, &FunctionObject::looksAtSurface); }
 bool FunctionObjects::lookAtWholeSurface(const Time& time) const { return anyDue(time, &FunctionObject::looksAtWholeSurface); }
 
+bool FunctionObjects::lookAtViscousWork() const
+{
+    return std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.object->looksAtViscousWork(); });
+}
+
 void FunctionObjects::execute(FlowView& flow)
 {
     for (Entry& entry : entries_)

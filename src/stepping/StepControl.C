@@ -14,6 +14,8 @@ StepControl::StepControl(const Dictionary& controlDict)
     adjust_(controlDict.lookupOr("adjustTimeStep", true)),
     maxCo_(controlDict.lookupOr("maxCo", 0.5)),
     maxCapillaryCo_(controlDict.lookupOr("maxCapillaryCo", usualCapillaryCo)),
+    restCapillaryCo_(std::max(maxCapillaryCo_, controlDict.lookupOr("restCapillaryCo", 0.0))),
+    capillaryCo_(maxCapillaryCo_),
     maxSubSteps_(controlDict.lookupOr("maxSubSteps", 1000)),
     where_(controlDict.where("deltaT"))
 {}
@@ -31,13 +33,22 @@ std::vector<StepLimit> StepControl::limits
     if (speed > 0) limits.push_back({"Courant", maxCo_ * p.spacing / speed});
     if (models.forces.active() && p.surfaceTension > 0)
     {
-        limits.push_back({"capillary", maxCapillaryCo_ * p.capillaryStep()});
+        limits.push_back({"capillary", capillaryCo_ * p.capillaryStep()});
     }
     const double viscous = models.viscosity->stepLimit(p);
     if (std::isfinite(viscous)) limits.push_back({"viscous", viscous});
     const double acoustic = models.pressure->stepLimit(p);
     if (std::isfinite(acoustic)) limits.push_back({"acoustic", acoustic});
     return limits;
+}
+
+// Long steps take ten times what water takes of a swing. So the liquid moves little in them.
+double StepControl::follow(double last, double maxSpeed, const LiquidProperties& properties) const
+{
+    constexpr double little = 0.0125, much = 4 * little;         // spacings
+    const double moved = maxSpeed * restCapillaryCo_ * properties.capillaryStep() / properties.spacing;
+    if (moved > much) return maxCapillaryCo_;
+    return moved < little ? restCapillaryCo_ : last;
 }
 
 SubSteps StepControl::divide(double deltaT, double maxSpeed, const Liquid& liquid, const Models& models) const

@@ -107,8 +107,10 @@ void SubStep::update(scalar dt)
     models_.forces.commit();
     models_.velocityCorrection->apply(liquid_, near_, walls_, dt);
     models_.velocityCorrection->commit();
+    if (work_) work_->before(liquid_);
     models_.viscosity->apply(liquid_, near_, walls_, dt);
     models_.viscosity->commit();
+    if (work_) work_->behind(liquid_);
     models_.particleShifting->apply(liquid_, near_, walls_);
     models_.particleShifting->commit();
     if (models_.heldLine) models_.heldLine->advance(liquid_, near_, walls_, *models_.freeSurface, dt);

@@ -167,13 +167,23 @@ void reportRelaxation(int rounds)
     if (rounds > 0) std::cout << "The liquid overlapped itself: its particles were moved apart in " << rounds << " rounds\n";
 }
 
+namespace
+{
+
+std::string stepsMade(const SubSteps& steps)
+{
+    if (steps.count == 0) return "no sub-step: the liquid is at rest, and sleeps";
+    return std::to_string(steps.count) + (steps.count > 1 ? " sub-steps" : " sub-step") + ", limited by " + steps.limit;
+}
+
+}
+
 void reportStep(const SubSteps& steps, FlowView& flow, const Population& population, const FunctionObjects& functions)
 {
     const LiquidState& state = flow.state();
     std::cout
         << "\nTime = " << flow.time.name() << " s  (" << flow.time.progress() << ")\n"
-        << "deltaT = " << steps.dt << " s, " << steps.count << (steps.count > 1 ? " sub-steps" : " sub-step")
-        << ", limited by " << steps.limit << '\n'
+        << "deltaT = " << steps.dt << " s, " << stepsMade(steps) << '\n'
         << "pressure: iterations " << flow.models.pressure->iterations()
         << ", density error average " << state.averageDensityError << ", maximum " << state.maxDensityError << '\n'
         << "volume = " << state.volume << " m3, kinetic energy = " << state.kineticEnergy

@@ -62,6 +62,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     TimeStep step(time, setup, near);
     reportStart(flow, liquid);
     limitStepsOfBlobs(flow, liquid, step);
+    if (functions.lookAtViscousWork()) step.countViscousWork();
     FallenLiquid fallen(setup);
     if (args.found("dry-run")) return reportDryRun(time, step.control(), liquid, near, *setup.walls, *setup.models, device, step.speeds().now);
 

@@ -80,9 +80,16 @@ void refuseForeign(const Dictionary& dict)
 void checkStepControl(const Dictionary& dict)
 {
     if (dict.found("adjustTimeStep")) dict.lookup<bool>("adjustTimeStep");
-    for (const char* key : {"maxCo", "maxCapillaryCo"})
+    for (const char* key : {"maxCo", "maxCapillaryCo", "restCapillaryCo"})
     {
         if (dict.found(key)) dict.lookupPositive(key, dimensions::none);
+    }
+    if (dict.found("sleep"))
+    {
+        const Dictionary& sleep = dict.subDict("sleep");
+        sleep.lookupPositive("below", dimensions::none);
+        sleep.lookupPositive("for", dimensions::time);
+        sleep.refuseUnused();
     }
     readInteger(dict, "maxSubSteps", 1, 1, std::numeric_limits<int>::max());
 }

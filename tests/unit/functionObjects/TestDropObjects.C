@@ -3,6 +3,7 @@
 
 #include "functionObjects/FunctionObjects.H"
 
+#include "motion/ViscousWork.H"
 #include "parallel/AllParts.H"
 #include "parallel/PartsOfProcess.H"
 #include "support/FlowCase.H"
@@ -152,8 +153,32 @@ TEST(Energy, IsThatOfTheHalfBall)
     // The ball's and its foot's; the lattice is rough, by 0.1 spacings of its radius.
     EXPECT_NEAR(free, 2*pi*radius*radius, 0.02*2*pi*radius*radius);
     EXPECT_NEAR(wetted, pi*radius*radius, 0.02*pi*radius*radius);
+    EXPECT_NEAR(flow.value(table, "wetting"), -0.5*0.072*wetted, 1e-8*0.072*wetted);
     const double total = flow.value(table, "kinetic") + flow.value(table, "gravitational") + flow.value(table, "surface");
     EXPECT_NEAR(flow.value(table, "total"), total, 1e-7*total);
+    EXPECT_TRUE(std::isnan(flow.value(table, "viscosity")));        // nobody counts it
+}
+
+// Half a ball that speeds up from 2 to 4 units while viscosity takes what a speed of 1 is worth: numerics have made 12/2 + 1/2 of m V u^2. That is told, and goes
+// on from a restart.
+TEST(Energy, TellsWhatNumericsHaveMade)
+{
+    FlowCase flow("energies { type energy; mostMade 1e-3; }", onAPlane, "surfaceTension Fujisawa2014; wetting contactAngle;");
+    const auto places = halfBall();
+    const double u = flow.liquid.units().of(dimensions::velocity), unit = 0.5*1000*double(places.size())*d*d*d*u*u;
+    double& taken = flow.liquid.number(ViscousWork::number, 0);
+    const std::string table = "energies/0/energy.csv";
+    flow.step(places, std::vector<Vec3>(places.size(), Vec3{2, 0, 0}));
+    EXPECT_EQ(flow.value(table, "numerics"), 0);
+    EXPECT_EQ(flow.report(), "");
+    taken = unit;
+    flow.step(places, std::vector<Vec3>(places.size(), Vec3{4, 0, 0}));
+    EXPECT_NEAR(flow.value(table, "viscosity"), unit, 1e-8*unit);
+    // Differences of sums that are some hundred times as large, in the tables' nine digits.
+    EXPECT_NEAR(flow.value(table, "numerics"), 13*unit, 1e-5*13*unit);
+    const double share = 13*unit/(0.072*areasOf(flow.view().surface()).first);
+    EXPECT_EQ(flow.report().find("numerics have made") != std::string::npos, share > 1e-3) << share;
+    EXPECT_GT(share, 1e-3);
 }
 
 TEST(Energy, OfTheSurfaceIsUnknownWhereTheModelsHaveNoContactAngle)
@@ -161,7 +186,7 @@ TEST(Energy, OfTheSurfaceIsUnknownWhereTheModelsHaveNoContactAngle)
     FlowCase flow("energies { type energy; }", onAPlane, "surfaceTension Akinci2013;");
     flow.step(halfBall());
     EXPECT_TRUE(std::isnan(flow.value("energies/0/energy.csv", "surface")));
-    EXPECT_TRUE(holds(flow.table("energies/0/energy.csv"), {"\n0.25,0,0,nan,nan\n"}));       // no weight: 0, not -0
+    EXPECT_TRUE(holds(flow.table("energies/0/energy.csv"), {"\n0.25,0,0,nan,nan,nan,nan,nan\n"}));       // no weight: 0, not -0
     flow.step(halfBall({0, 0, 5}));             // off the wall: sigma times all of the mesh, in nine digits
     const double surface = 0.072*flow.view().surface().area();
     EXPECT_NEAR(flow.value("energies/0/energy.csv", "surface"), surface, 1e-8*surface);

@@ -3,6 +3,7 @@
 
 #include "motion/LiquidState.H"
 #include "motion/SpeedMeter.H"
+#include "motion/ViscousWork.H"
 #include "support/LiquidCase.H"
 
 using namespace shizuku;
@@ -105,4 +106,33 @@ TEST(Motion, WaysWithoutANumberShowAsSpeeds)
         EXPECT_TRUE(std::isfinite(norm(u)));
         EXPECT_GT(norm(u), 1000);
     }
+}
+
+// Of two sub-steps: what velocities lose between before() and behind(), and nothing of what they lose elsewhere.
+TEST(ViscousWork, IsWhatVelocitiesLose)
+{
+    LiquidCase drop;            // 1e-6 kg a particle
+    drop.liquid.resize(2);
+    drop.liquid.position.upload(placed({{0, 0, 0}, {1, 0, 0}}));
+    const auto set = [&](double first, double second)
+    {
+        const auto scaled = [&](double si) { return drop.liquid.units().toScaled(si, dimensions::velocity); };
+        drop.liquid.velocity.upload({{scaled(first), 0, 0}, {0, scaled(second), 0}});
+    };
+    ViscousWork work;
+    for (int k = 0; k < 2; ++k)
+    {
+        set(4, 3);
+        work.before(drop.liquid);
+        set(2, 3);
+        work.behind(drop.liquid);
+    }
+    work.addTo(drop.liquid);
+    EXPECT_NEAR(drop.liquid.number(ViscousWork::number, 0), 12e-6, 1e-11);      // 2 times 1e-6 (16 - 4)/2; velocities have single precision
+    set(1, 0);
+    work.before(drop.liquid);
+    set(0, 0);
+    work.behind(drop.liquid);
+    work.addTo(drop.liquid);
+    EXPECT_NEAR(drop.liquid.number(ViscousWork::number, 0), 12.5e-6, 1e-11);
 }

@@ -43,11 +43,12 @@ public:
     std::optional<Time> time;
     std::optional<CaseSetup> setup;
     std::optional<Neighbourhood> near;
+    static constexpr const char* control = "deltaT 4e-3; endTime 1; writeInterval 1; maxCo 0.5; maxCapillaryCo 1000;";
 
 private:
     void write()
     {
-        folder.write("system/controlDict", "deltaT 4e-3; endTime 1; writeInterval 1; maxCo 0.5; maxCapillaryCo 1000;");
+        folder.write("system/controlDict", control);
         folder.write("system/solution", "spacing 1e-3;");
         folder.write("constant/walls", "");
         folder.write("constant/liquidProperties", "rho 1000; nu 1e-6; sigma 0.072;");
@@ -113,4 +114,64 @@ TEST(TimeStep, FollowsControlDict)
     EXPECT_EQ(step.divide().count, 8);
     step.readControls();
     EXPECT_EQ(step.divide().count, 1);
+}
+
+// What moves less than `below` for `for` sleeps: two steps of 4 ms for 6 ms. Then there are no sub-steps, and nothing moves, until controlDict or a model changes.
+TEST(TimeStep, SleepsAtRestAndWakes)
+{
+    FlyingDrop drop;
+    drop.folder.write("system/controlDict", std::string(FlyingDrop::control) + " sleep { below 1e6; for 6e-3; }");
+    drop.time.emplace(drop.folder.path());
+    TimeStep step(*drop.time, *drop.setup, *drop.near);
+    for (const int expected : {8, 8, 0, 0})
+    {
+        const SubSteps steps = step.divide();
+        if (expected == 0) EXPECT_EQ(steps.count, 0);
+        else EXPECT_GT(steps.count, 0);
+        EXPECT_EQ(steps.limit == "sleep", expected == 0);
+        const double from = drop.time->value();
+        const auto before = drop.positions();
+        drop.time->advance();
+        step.make(steps, from);
+        step.prepareNext(steps);
+        const auto after = drop.positions();
+        EXPECT_EQ(before.front().z == after.front().z, expected == 0);
+    }
+    step.dropPrepared();
+    EXPECT_GT(step.divide().count, 0);
+
+    // The number of the liquid that tells it crosses restarts.
+    drop.setup->liquid->number("calmFor", 0) = 1;
+    EXPECT_EQ(TimeStep(*drop.time, *drop.setup, *drop.near).divide().count, 0);
+    step.readControls();
+    EXPECT_GT(step.divide().count, 0);
+
+    drop.folder.write("system/controlDict", std::string(FlyingDrop::control) + " sleep { below 1e-9; for 6e-3; }");
+    drop.time.emplace(drop.folder.path());
+    TimeStep never(*drop.time, *drop.setup, *drop.near);
+    drop.setup->liquid->number("calmFor", 0) = 1;
+    drop.time->advance();
+    never.make({1, 1e-5, ""}, 0);
+    EXPECT_EQ(drop.setup->liquid->number("calmFor", 0), 0);
+}
+
+TEST(TimeStep, IsLongerAtRest)
+{
+    FlyingDrop drop;
+    const LiquidProperties& p = drop.setup->liquid->properties();
+    const StepControl control(Dictionary::parse("maxCapillaryCo 0.5; restCapillaryCo 4;", "controlDict"));
+    const double little = 0.0125 * spacing / (4 * p.capillaryStep());           // m/s: an eightieth of a spacing in a long step
+    EXPECT_EQ(control.follow(0.5, 0.99 * little, p), 4);
+    EXPECT_EQ(control.follow(0.5, 1.01 * little, p), 0.5);
+    EXPECT_EQ(control.follow(4, 3.9 * little, p), 4);
+    EXPECT_EQ(control.follow(4, 4.1 * little, p), 0.5);
+    StepControl resting = control;
+    resting.setCapillaryCo(4);
+    const auto capillary = [&](const StepControl& any) { return any.limits(1, 0, *drop.setup->liquid, *drop.setup->models).front().dt / p.capillaryStep(); };
+    EXPECT_NEAR(capillary(control), 0.5, 1e-12);
+    EXPECT_NEAR(capillary(resting), 4, 1e-12);
+    resting.capCapillary(1.4);
+    EXPECT_NEAR(capillary(resting), 1.4, 1e-12);
+    // Without the entry all is as maxCapillaryCo says.
+    EXPECT_EQ(StepControl(Dictionary::parse("maxCapillaryCo 0.5;", "controlDict")).follow(0, 0, p), 0.5);
 }

@@ -363,7 +363,7 @@ TEST(Walls, AreAnyNumberOfSurfaces)
         Buffer<scalar> sum(3);
         Buffer<int> near(3);
         forEach(3, DensityOf{drop.walls.view(drop.liquid), drop.liquid.predicted.span(), sum.span(), near.span()});
-        densities.push_back(sum.download());
+        densities.push_back(drop.inOrder(sum));
         EXPECT_EQ(densities.back(), densities.front()) << others;
         EXPECT_EQ(near.download(), std::vector<int>(3, (others + 1) * (others + 2) / 2)) << others;      // each surface once
     }
