@@ -4,11 +4,11 @@
 //
 //     u + dt (A u + T u) = u* + dt T w,        A: PairStress.H,     T: WallDrag.H, with the velocities w of walls (MovingWallDrag.H)
 //
-// u* is what pressure and forces have made. Where a step is short for the liquid's nu, as it is of water, A u* does for A u: where no eigenvalue of dt A is above a
-// quarter, which are at most 8 nu dt sum_j V k_ij. Walls are implicit at all times. Else the system is solved, so that no step is too long: by conjugate gradients
+// u* is what pressure and forces have made. Where a step is short for the liquid's nu, as it is of water, A u* does for A u: where no eigenvalue of dt A is above
+// 0.75, which are at most 8 nu dt sum_j V k_ij. Walls are implicit at all times. Else the system is solved, so that no step is too long: by conjugate gradients
 // from u* on, whose every iterate has the momentum and, without walls, the angular momentum of u*. They end when the residual is `tolerance` of the velocities and
 // of what it was, or is what rounding leaves. Particles then go by u: x += dt (u - u*). In a step forces move those of a thick liquid by many times what its stress
-// lets them go. Without solving the two differ by a quarter of a particle's own jitter, and by some hundredths of what the spacing resolves.
+// lets them go. Without solving the two differ by less than a particle's own jitter, and by some hundredths of what the spacing resolves.
 //
 // Noise is what no flow has that is linear around a particle. Of it a share of a step is taken out, whatever nu is: by the same forces, with nu' = nu + share/(2 dt sum_j
 // V k_ij), and before a system is solved. Translation, rotation and strain pass untouched, and energy is only ever taken. nu may be zero: that is all that is done then.
@@ -86,7 +86,8 @@ public:
         const scalar share = noise_.share(dt);
         if (liquid.isEmpty() || (nu_ == 0 && share == 0)) return;
         const scalar ofNoise = share / (2 * dt * weights_), ofWalls = std::max(share - 2 * dt * weights_ * nu_, scalar(0));
-        const bool atOnce = 8 * dt * nu_ * weights_ <= 0.25f;
+        constexpr scalar mostAtOnce = 0.75f;
+        const bool atOnce = 8 * dt * nu_ * weights_ <= mostAtOnce;
         const Viscosities first = atOnce ? Viscosities{nu_, nu_ + ofNoise} : Viscosities{0, ofNoise};
         std::visit
         (
