@@ -5,7 +5,7 @@
 //     u + dt (A u + T u) = u* + dt T w,        A: PairStress.H,     T: WallDrag.H, with the velocities w of walls (MovingWallDrag.H)
 //
 // u* is what pressure and forces have made. Where a step is short for the liquid's nu, as it is of water, A u* does for A u: where no eigenvalue of dt A is above
-// 0.75, which are at most 8 nu dt sum_j V k_ij. Walls are implicit at all times. Else the system is solved, so that no step is too long: by conjugate gradients
+// 1, so that no mode changes its sign, which are at most 8 nu dt sum_j V k_ij. Walls are implicit at all times. Else the system is solved, so that no step is too long: by conjugate gradients
 // from u* on, whose every iterate has the momentum and, without walls, the angular momentum of u*. They end when the residual is `tolerance` of the velocities and
 // of what it was, or is what rounding leaves. Particles then go by u: x += dt (u - u*). In a step forces move those of a thick liquid by many times what its stress
 // lets them go. Without solving the two differ by less than a particle's own jitter, and by some hundredths of what the spacing resolves.
@@ -86,8 +86,7 @@ public:
         const scalar share = noise_.share(dt);
         if (liquid.isEmpty() || (nu_ == 0 && share == 0)) return;
         const scalar ofNoise = share / (2 * dt * weights_), ofWalls = std::max(share - 2 * dt * weights_ * nu_, scalar(0));
-        constexpr scalar mostAtOnce = 0.75f;
-        const bool atOnce = 8 * dt * nu_ * weights_ <= mostAtOnce;
+        const bool atOnce = 8 * dt * nu_ * weights_ <= 1;
         const Viscosities first = atOnce ? Viscosities{nu_, nu_ + ofNoise} : Viscosities{0, ofNoise};
         std::visit
         (

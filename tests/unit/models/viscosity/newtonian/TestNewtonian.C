@@ -114,7 +114,7 @@ TEST(Newtonian, PassesFromShortStepsToLongOnes)
     {
         LiquidCase drop(liquidOf("1e-5"));
         // 8 sum_j V k_ij of the spline of two spacings is 24 over the spacing squared.
-        const scalar d = drop.liquid.spacing(), edge = 0.75f * d * d / (24 * scaledNu(drop));
+        const scalar d = drop.liquid.spacing(), edge = d * d / (24 * scaledNu(drop));
         const auto result = after(drop, points, velocities, scalar(steps) * edge, stressAlone + "tolerance 1e-5;");
         return 1 - motionOf(points, result).energy / motionOf(points, velocities).energy;
     };
