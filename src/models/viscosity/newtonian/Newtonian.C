@@ -4,14 +4,14 @@
 //
 //     u + dt (A u + T u) = u* + dt T w,        A: PairStress.H,     T: WallDrag.H, with the velocities w of walls (MovingWallDrag.H)
 //
-// u* is what pressure and forces have made. Where a step is short for the liquid's nu, as it is of water, A u* does for A u: where no eigenvalue of dt A is above
-// 1, so that no mode changes its sign, which are at most 8 nu dt sum_j V k_ij. Walls are implicit at all times. Else the system is solved, so that no step is too long: by conjugate gradients
+// u* is what pressure and forces have made. Where a step is short for the liquid's nu, A u* does for A u, as a whole or in two halves: where
+// e = 8 nu dt sum_j V k_ij, which no eigenvalue of dt A exceeds in the bulk, is at most a quarter in each. Walls are implicit at all times.
+// Else the system is solved, so that no step is too long: by conjugate gradients
 // from u* on, whose every iterate has the momentum and, without walls, the angular momentum of u*. They end when the residual is `tolerance` of the velocities and
-// of what it was, or is what rounding leaves. Particles then go by u: x += dt (u - u*). In a step forces move those of a thick liquid by many times what its stress
-// lets them go. Without solving the two differ by less than a particle's own jitter, and by some hundredths of what the spacing resolves.
+// of what it was, or is what rounding leaves. From e = 0.25 on, which water has in long steps, particles go by u (GoByVelocity.H).
 //
 // Noise is what no flow has that is linear around a particle. Of it a share of a step is taken out, whatever nu is: by the same forces, with nu' = nu + share/(2 dt sum_j
-// V k_ij), and before a system is solved. Translation, rotation and strain pass untouched, and energy is only ever taken. nu may be zero: that is all that is done then.
+// V k_ij), and by themselves from e = 0.25 on. Translation, rotation and strain pass untouched, and energy is only ever taken. nu may be zero: that is all that is done then.
 //
 //     c: the share of a step; perCapillaryStep, p, that of the time t_c = sqrt(rho d^3/(2 pi sigma)): a step dt takes 1 - (1 - p)^(dt/t_c) where that is more
 //     than c. Walls take -a (u_i - <u>_i) w of it, less what nu takes by itself; w: the kernel density of walls, <u>: the mean of neighbours by k, a: atWalls. So what
@@ -36,6 +36,7 @@
 #include "models/smoothing/SmoothingControls.H"
 #include "models/viscosity/Viscosity.H"
 #include "models/viscosity/newtonian/ExplicitStep.H"
+#include "models/viscosity/newtonian/GoByVelocity.H"
 #include "models/viscosity/newtonian/ImplicitStep.H"
 
 #include <utility>
@@ -86,7 +87,8 @@ public:
         const scalar share = noise_.share(dt);
         if (liquid.isEmpty() || (nu_ == 0 && share == 0)) return;
         const scalar ofNoise = share / (2 * dt * weights_), ofWalls = std::max(share - 2 * dt * weights_ * nu_, scalar(0));
-        const bool atOnce = 8 * dt * nu_ * weights_ <= 1;
+        const scalar stiffest = 8 * dt * nu_ * weights_;
+        const bool atOnce = stiffest <= 0.25f, solved = stiffest > 0.5f;
         const Viscosities first = atOnce ? Viscosities{nu_, nu_ + ofNoise} : Viscosities{0, ofNoise};
         std::visit
         (
@@ -95,7 +97,14 @@ public:
                 const ViscousStep<Kernel> step{W, liquid, std::as_const(liquid.position).span(), near.view(), walls, dt};
                 StressOfStep stress(liquid, !atOnce);
                 if (atOnce || share > 0) stepExplicitly(step, stress, first, ofWalls * atWalls_, atOnce && nu_ > 0 && friction_.acts(walls), friction_);
-                if (!atOnce) stepImplicitly(step, stress, nu_, friction_, solver_);
+                if (atOnce) return;
+                goByVelocity(liquid, dt, [&]
+                {
+                    if (solved) return stepImplicitly(step, stress, nu_, friction_, solver_);
+                    ViscousStep<Kernel> half = step;
+                    half.dt = dt / 2;
+                    for (int n = 0; n < 2; ++n) stepExplicitly(half, stress, {nu_, nu_}, 0, friction_.acts(walls), friction_);
+                });
             },
             liquid.kernel()
         );

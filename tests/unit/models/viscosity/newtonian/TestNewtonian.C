@@ -105,7 +105,7 @@ TEST(Newtonian, TakesThePowerOfTheStress)
 }
 
 // Short steps take the stress of the velocities before them, longer ones solve for those behind: where one passes into the other both take as much. A mode of the
-// rate s loses 1 - (1 - s dt)^2 or 1 - (1 + s dt)^-2 of its energy, which differ by the share s dt: a quarter at most, and of noise, whose modes are slower, a twentieth.
+// rate s loses 1 - (1 - s dt/2)^4 or 1 - (1 + s dt)^-2 of its energy, which differ by half of s dt: by a quarter at most, and of noise, whose modes are slower, by less than a tenth.
 TEST(Newtonian, PassesFromShortStepsToLongOnes)
 {
     const auto points = disorderedBall(5);
@@ -114,7 +114,7 @@ TEST(Newtonian, PassesFromShortStepsToLongOnes)
     {
         LiquidCase drop(liquidOf("1e-5"));
         // 8 sum_j V k_ij of the spline of two spacings is 24 over the spacing squared.
-        const scalar d = drop.liquid.spacing(), edge = d * d / (24 * scaledNu(drop));
+        const scalar d = drop.liquid.spacing(), edge = 0.5f * d * d / (24 * scaledNu(drop));
         const auto result = after(drop, points, velocities, scalar(steps) * edge, stressAlone + "tolerance 1e-5;");
         return 1 - motionOf(points, result).energy / motionOf(points, velocities).energy;
     };
