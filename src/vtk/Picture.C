@@ -255,7 +255,8 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
     if (!scene.solid.empty()) addMatteSpheres(*renderer, scene.solid, scene.spacing);
     if (scene.floor)
     {
-        renderer->AddActor(studioFloor(*scene.floor, scene.liquid, stage.centre, stage.radius, -keyLight, clear ? &*clear : nullptr));
+        renderer->AddActor(studioFloor(
+            *scene.floor, scene.liquid, stage.centre, stage.radius, -keyLight, clear ? &*clear : nullptr, std::max(view.width, view.height)));
     }
     if (scene.floor && !scene.pattern.empty()) addPattern(*renderer, scene);
     for (const GlassTube& tube : scene.glass) addGlass(*renderer, tube);

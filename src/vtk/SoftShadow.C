@@ -31,22 +31,47 @@ void fillTriangle(PlaneImage& image, const std::array<Pixel, 3>& p)
     }
 }
 
-// A running mean along the lines of the image; `stride` from pixel to pixel, `lineStride` from line to line.
-void blurLines(std::vector<float>& values, int size, int radius, int stride, int lineStride, float outside)
+// A running mean along the rows of the image.
+void blurRows(std::vector<float>& values, int size, int radius, float outside)
 {
     std::vector<float> line(size);
-    for (int l = 0; l < size; ++l)
+    for (int row = 0; row < size; ++row)
     {
-        float* const first = values.data() + std::size_t(l)*lineStride;
+        float* const first = values.data() + std::size_t(row)*size;
         double sum = 0;
-        const auto value = [&](int i) { return i < 0 || i >= size ? outside : first[std::size_t(i)*stride]; };
+        const auto value = [&](int i) { return i < 0 || i >= size ? outside : first[i]; };
         for (int i = -radius; i <= radius; ++i) sum += value(i);
         for (int i = 0; i < size; ++i)
         {
             line[i] = float(std::max(0.0, sum)/(2*radius + 1));
             sum += value(i + radius + 1) - value(i - radius);
         }
-        for (int i = 0; i < size; ++i) first[std::size_t(i)*stride] = line[i];
+        std::copy(line.begin(), line.end(), first);
+    }
+}
+
+// A running mean along the columns, of all columns row by row: memory is read in its order.
+void blurColumns(std::vector<float>& values, int size, int radius, float outside)
+{
+    const std::vector<float> given = values;
+    const std::vector<float> beyond(size, outside);
+    const auto rowOf = [&](int row) { return row < 0 || row >= size ? beyond.data() : given.data() + std::size_t(row)*size; };
+    std::vector<double> sums(size, 0.0);
+    for (int row = -radius; row <= radius; ++row)
+    {
+        const float* const entering = rowOf(row);
+        for (int column = 0; column < size; ++column) sums[column] += entering[column];
+    }
+    for (int row = 0; row < size; ++row)
+    {
+        const float* const entering = rowOf(row + radius + 1);
+        const float* const leaving = rowOf(row - radius);
+        float* const mean = values.data() + std::size_t(row)*size;
+        for (int column = 0; column < size; ++column)
+        {
+            mean[column] = float(std::max(0.0, sums[column])/(2*radius + 1));
+            sums[column] += entering[column] - leaving[column];
+        }
     }
 }
 
@@ -80,8 +105,8 @@ void blur(PlaneImage& image, double radius, float outside)
     const int pixels = std::max(1, int(radius*image.size/(2*image.halfWidth)/2));
     for (int pass = 0; pass < 3; ++pass)
     {
-        blurLines(image.values, image.size, pixels, 1, image.size, outside);
-        blurLines(image.values, image.size, pixels, image.size, 1, outside);
+        blurRows(image.values, image.size, pixels, outside);
+        blurColumns(image.values, image.size, pixels, outside);
     }
 }
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace shizuku
@@ -20,7 +21,7 @@ namespace shizuku
 namespace
 {
 
-constexpr int pixels = 2048;
+constexpr unsigned mostPixels = 2048, fewestPixels = 256;      // along a side of the floor
 constexpr double extent = 7;            // half width of the floor in radii of the liquid
 constexpr double darkest = 0.55;        // part of the light that a full shadow takes
 constexpr double contactDarkness = 0.35;
@@ -79,9 +80,11 @@ double tileSide(double radius)
 
 vtkSmartPointer<vtkActor> studioFloor
 (
-    const Plane& plane, const TriangleMesh& liquid, const Vector3& centre, double radius, const Vector3& light, const ClearLiquid* clear
+    const Plane& plane, const TriangleMesh& liquid, const Vector3& centre, double radius, const Vector3& light, const ClearLiquid* clear, int pictureSize
 )
 {
+    // A picture shows a third or so of the floor: four times its pixels are as fine as it is.
+    const int pixels = int(std::clamp(std::bit_ceil(4*unsigned(pictureSize)), fewestPixels, mostPixels));
     PlaneImage shadow;
     shadow.centre = centre - plane.distance(centre)*plane.normal;
     shadow.right = perpendicular(plane.normal);
