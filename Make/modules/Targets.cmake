@@ -32,7 +32,7 @@ function(shizuku_application path)
     add_executable(${name} ${ARG_SOURCES})
     set_source_files_properties(${ARG_SOURCES} PROPERTIES LANGUAGE CXX)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/applications/${path})
-    target_compile_options(${name} PRIVATE ${SHIZUKU_HOST_FLAGS})
+    target_compile_options(${name} PRIVATE ${SHIZUKU_HOST_FLAGS} ${SHIZUKU_QUICK_FLAGS})
     target_link_libraries(${name} PRIVATE shizukuCore ${ARG_LINK})
     if(NOT ARG_LINK MATCHES "Sampling|Vtk")                             # which bring flags of their own
         target_compile_options(${name} PRIVATE -fPIC)                   # as shizukuCore, whose headers it takes
