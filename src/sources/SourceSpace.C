@@ -77,13 +77,13 @@ std::vector<Stream> SourceSpace::withImages(const Stream& stream) const
 
 void SourceSpace::refuseOutside(const std::string& source, const SourceLocation& where, const std::vector<Vector3>& places, double room) const
 {
-    constexpr double rounding = 1e-9;
     if (!box_) return;
+    const double rounding = 1e-4*spacing_;          // sides are whole quanta apart
     for (const Vector3& place : places)
     {
         std::ostringstream found, expected;
         found << "Liquid of the source '" << source << "' comes in at " << str(place) << " m, ";
-        if (const double distance = toPlane(place); distance < room - rounding*spacing_)
+        if (const double distance = toPlane(place); distance < room - rounding)
         {
             found << (distance < 0 ? "behind a symmetry plane" : "too near to a symmetry plane") << " of constant/boundary";
             expected << "a source in front of it" << (room > 0 ? ", half a spacing away" : "");
@@ -92,7 +92,7 @@ void SourceSpace::refuseOutside(const std::string& source, const SourceLocation&
         const Vector3 inside = between(place);
         for (int k = 0; k < 3; ++k)
         {
-            if (periods_.of[k] == 0 || (inside[k] >= box_->at[k][0] && inside[k] < box_->at[k][1])) continue;
+            if (periods_.of[k] == 0 || (inside[k] >= box_->at[k][0] - rounding && inside[k] < box_->at[k][1] + rounding)) continue;
             found << "a period or more beyond the cyclic sides along " << "xyz"[k] << " of constant/boundary";
             throw FatalInputError(where, found.str(), "a source between these sides, or less than a period beyond one");
         }

@@ -354,4 +354,13 @@ TEST(Population, RefusesSourcesBeyondSides)
     EXPECT_TRUE(holds(message(tapAt("-0.008"), "xMin symmetryPlane;"), {"'a'", "behind a symmetry plane"}));
     EXPECT_TRUE(holds(message(tapAt("0.015"), cyclicX), {"no error"}));
     EXPECT_TRUE(holds(message(tapAt("0.02"), cyclicX), {"'a'", "a period or more beyond the cyclic sides along x"}));
+
+    // From side to side, of a period that is no whole number of quanta.
+    for (const char* spacing : {"3e-4", "4e-4", "7e-4"})
+    {
+        CaseText text = repeated(cyclicXY);
+        text.spacing = std::stod(spacing);
+        const std::string shower = "a { type rain; rate 1; corner (-6e-3 -6e-3 0.1); along (0.012 0 0); across (0 0.012 0); direction (0 0 -1); speed 1; sizes { type oneSize; diameter 3e-3; } }";
+        EXPECT_EQ(messageOf([&] { SourceScene scene(shower, "", false, text); }), "no error") << spacing;
+    }
 }
