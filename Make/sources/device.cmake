@@ -131,6 +131,7 @@ set(SHIZUKU_DEVICE_SOURCES
     sources/Rain.C
     sources/Sources.C
     sources/TimedValue.C
+    sources/SourceSpace.C
     population/Population.C
     functionObjects/populationBalance/PopulationBalance.C
     particles/Sides.C

@@ -70,6 +70,7 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     sources/Opening.C
     sources/Rain.C
     sources/TimedValue.C
+    sources/SourceSpace.C
     functionObjects/populationBalance/PopulationBalance.C
     particles/Sides.C
     particles/Unfold.C

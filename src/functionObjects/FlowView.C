@@ -73,7 +73,7 @@ void FlowView::makeSurfaceInParts(bool whole)
 {
     std::vector<Position> share(liquid_.owned());
     liquid_.position.download(share.data(), liquid_.owned());
-    const auto [cut, own] = mesher().particlesOfLayers(share, liquid_.parts());
+    const auto [cut, own] = mesher().particlesOfLayers(unfoldedWhole(std::move(share)), liquid_.parts());
     const Buffer<Position> particles(own);
     mesher().build(particles.span(), cut);
     MeshOfParts mesh(mesher(), liquid_.units().length, cut);
@@ -101,11 +101,22 @@ LiquidSurface& FlowView::mesher()
     return *mesher_;
 }
 
-void FlowView::buildUnfolded(const Sides& sides)
+bool FlowView::isFolded() const
+{
+    const Images* images = liquid_.ghosts().images();
+    return images && images->sides().box().has(Sides::Kind::symmetryPlane);
+}
+
+std::vector<Position> FlowView::unfoldedWhole(std::vector<Position> places) const
+{
+    return isFolded() ? unfolded(std::move(places), liquid_.ghosts().images()->sides()) : places;
+}
+
+void FlowView::buildUnfolded()
 {
     std::vector<Position> places(seen().owned());
     seen().position.download(places.data(), seen().owned());
-    const Buffer<Position> whole(unfolded(std::move(places), sides));
+    const Buffer<Position> whole(unfoldedWhole(std::move(places)));
     mesher().build(whole.span());
 }
 
@@ -113,9 +124,7 @@ LiquidSurface& FlowView::builtSurface()
 {
     if (std::exchange(surfaceIsDue_, false))
     {
-        const Images* images = liquid_.ghosts().images();
-        const bool isFolded = images && images->sides().box().has(Sides::Kind::symmetryPlane);
-        if (isFolded) buildUnfolded(images->sides());
+        if (isFolded()) buildUnfolded();
         else mesher().build({seen().position.span().data, seen().owned()});
     }
     return *mesher_;

@@ -21,6 +21,7 @@ struct CountInCells
 {
     CellGridView grid;
     int owned;
+    Span<const AtSides> across;                 // of ghosts, where some may be images
     Span<const Position> positions, start;
     Span<std::uint32_t> keys, places, count, wide;
 
@@ -28,12 +29,18 @@ struct CountInCells
     {
         const Position p = at(i);
         if (quanta::single && isFar(p, at(0))) put(wide[0], 1u);
-        const std::uint32_t key = grid.key(p, i < owned);
+        const std::uint32_t key = grid.key(p, firstKey(i));
         keys[i] = key;
         places[i] = increment(count[int(key)]);
     }
 
 private:
+    HOST_DEVICE std::uint32_t firstKey(int i) const
+    {
+        if (i < owned) return 0;
+        return across.size > 0 && across[i - owned].bits != 0 ? grid.images : grid.ghosts;
+    }
+
     HOST_DEVICE Position at(int i) const { return start.size > 0 ? withBlock(start[i], positions[i]) : positions[i]; }
 
     // Whether their quarters of blocks are not the same or next to each other: while all are near one of them, all lie within three quarters.
@@ -139,11 +146,11 @@ CellGrid::Bits CellGrid::bitsOfGhosts() const
     return {bits_.x, leastBits_, std::max(leastBits_, bits_.y + bits_.z - std::min(bits_.y + bits_.z, leastBits_ + fewer))};
 }
 
-void CellGrid::chooseSize(int n, bool withGhosts)
+void CellGrid::chooseSize(int n)
 {
     bits_ = bitsFor(sharedAs(n));
-    withGhosts_ = withGhosts;
-    start_.resizeDiscarding((1 << bits_.all()) + (withGhosts ? 1 << bitsOfGhosts().all() : 0) + 1);
+    const int beside = 1 << bitsOfGhosts().all();
+    start_.resizeDiscarding((1 << bits_.all()) + (withGhosts_ ? beside : 0) + (withImages_ ? beside : 0) + 1);
 }
 
 CellGridView CellGrid::view() const
@@ -152,11 +159,11 @@ CellGridView CellGrid::view() const
     const std::uint32_t shifts = std::uint32_t(std::bit_width(width_)) - 1;
     const auto perWidth = std::uint32_t((std::uint64_t(1) << (32 + shifts)) / width_ + 1);
     const Bits ofGhosts = bitsOfGhosts();
+    const std::uint32_t behindOwned = 1u << bits_.all(), behindGhosts = behindOwned + (withGhosts_ ? 1u << ofGhosts.all() : 0);
     return
     {
         cellSize, perCell, device::cellsInWidth * perCell, width_, perWidth, shifts, bits_.x, bits_.y, bits_.z, start_.span(),
-        withGhosts_ ? 1u << bits_.all() : 0, ofGhosts.y, ofGhosts.z, wide_.span().data, own_,
-        withGhosts_ && rowsAreShared_
+        withGhosts_ ? behindOwned : 0, withImages_ ? behindGhosts : 0, ofGhosts.y, ofGhosts.z, wide_.span().data, own_
     };
 }
 
@@ -183,15 +190,16 @@ Buffer<std::uint32_t> CellGrid::build
 {
     const int mine = owned ? owned->points : n;
     own_ = owned ? owned->rows : RowRectangle();
-    rowsAreShared_ = owned && owned->rowsAreShared;
-    chooseSize(n, mine < n);
+    withImages_ = owned && owned->across && mine < n;
+    withGhosts_ = mine < n;
+    chooseSize(withImages_ ? mine : n);         // where space repeats the order is that of any parts, whose keys are of the particles
     start_.setZero();
     wide_.setZero();
     Buffer<WordsOfPoint> words(n);
     std::uint32_t* const first = reinterpret_cast<std::uint32_t*>(words.span().data);
     const auto part = [&](std::size_t k) { return Span<std::uint32_t>{first + k * n, n}; };
     const Span<std::uint32_t> keys = part(0), places = part(1), points = part(2);
-    forEach(n, CountInCells{view(), mine, positions, start, keys, places, start_.span(), wide_.span()});
+    forEach(n, CountInCells{view(), mine, withImages_ ? *owned->across : Span<const AtSides>{}, positions, start, keys, places, start_.span(), wide_.span()});
     sumBefore(start_);
     forEach(n, PutInCells{keys, places, start_.span(), points});
     Buffer<std::uint32_t> order(n);

@@ -36,8 +36,13 @@ struct MirrorVectors
     HOST_DEVICE void operator()(int i) const { vector[i] = sides.imageOf(vector[i], across[i]); }
 };
 
-void bringBack(Liquid& liquid, const Sides& sides)
+}
+
+void bringBetweenSides(Liquid& liquid, scalar reach)
 {
+    const Sides& sides = liquid.ghosts().images()->sides();
+    sides.refuseNarrow(reach);
+    liquid.resize(liquid.owned());              // without the images of the search before
     Buffer<AtSides> across(liquid.owned());
     forEach(liquid.owned(), BringBack{sides.maps(), liquid.position.span(), liquid.predicted.span(), across.span()});
     if (!sides.box().has(Sides::Kind::symmetryPlane)) return;
@@ -48,18 +53,13 @@ void bringBack(Liquid& liquid, const Sides& sides)
     }
 }
 
-}
-
 void makeImages(Liquid& liquid, scalar reach)
 {
-    Images& images = *liquid.ghosts().images();
-    images.sides().refuseNarrow(reach);
-    liquid.resize(liquid.owned());              // without the images of the search before
-    bringBack(liquid, images.sides());
+    Ghosts& ghosts = liquid.ghosts();
     const int owned = liquid.owned();
-    liquid.resize(owned, images.find(std::as_const(liquid.predicted).span(), owned, reach));
-    liquid.ghosts().copy(liquid.fields().columnsOf(&FieldInfo::exchanged));
-    images.renumber(liquid.id);
+    liquid.resize(owned, ghosts.set({}, {}, ghosts.images()->find(std::as_const(liquid.predicted).span(), owned, reach), owned));
+    ghosts.copy(liquid.fields().columnsOf(&FieldInfo::exchanged));
+    ghosts.images()->renumber(liquid.id);
 }
 
 }

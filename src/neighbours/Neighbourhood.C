@@ -41,17 +41,20 @@ void Neighbourhood::search(Liquid& liquid, scalar wideSupport, scalar ghosts)
     }
     list_.forget();
     const scalar reach = std::max({liquid.support(), wideSupport, ghosts});
+    const Images* const images = liquid.ghosts().images();
+    if (images) bringBetweenSides(liquid, grid_.view().widened(reach));
     std::optional<CellGrid::Owned> owned;
     if (parts_)
     {
         parts_->bring(liquid, grid_, reach);
-        owned = CellGrid::Owned{liquid.owned(), parts_->cut().rowsOf(liquid.parts().part())};
+        owned = CellGrid::Owned{liquid.owned(), parts_->cut().rowsOf(liquid.parts().part()), {}};
     }
-    else if (liquid.ghosts().images())
+    else if (images)
     {
         makeImages(liquid, grid_.view().widened(reach));
-        owned = CellGrid::Owned{liquid.owned(), {}, true};
+        owned = CellGrid::Owned{liquid.owned(), {}, {}};
     }
+    if (images) owned->across = images->across();
     const Buffer<std::uint32_t> order = grid_.build(liquid.predicted.span(), liquid.all(), liquid.id.span(), {}, owned);
     liquid.fields().reorder(order);
     if (owned) liquid.ghosts().reorder(order);

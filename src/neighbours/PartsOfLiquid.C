@@ -81,6 +81,26 @@ struct SeenBy
     }
 };
 
+// The same of images across sides.
+struct SeesImage
+{
+    CellGridView grid;
+    RowRectangle rows;
+    scalar support, reach;
+    bool inLists;
+    SideMaps sides;
+    Span<const std::uint32_t> particle;
+    Span<const AtSides> across;
+    Span<const Position> x;
+    Span<std::uint8_t> is;
+
+    HOST_DEVICE void operator()(int k) const
+    {
+        const scalar distance2 = grid.squaredDistance(rows, grid.cellPlace(sides.imageOf(x[int(particle[k])], across[k])));
+        is[k] = distance2 < support * support ? inLists : !inLists && distance2 < reach * reach;
+    }
+};
+
 // Who leaves, those who go to one part behind those of another.
 struct Leaving
 {
@@ -212,48 +232,75 @@ void PartsOfLiquid::addGhosts(Liquid& liquid, const CellGrid& grid, scalar reach
 {
     const CellGridView cells = grid.view();
     const int part = liquid.parts().part(), owned = liquid.owned(), rows = grid.cellsWithin(reach);
+    const scalar support = cells.widened(liquid.support()), farthest = cells.widened(reach);
     const std::vector<int> near = cut_.partsNear(part, rows);
     const Span<const Position> x = std::as_const(liquid.predicted).span();
+    Ghosts& ghosts = liquid.ghosts();
+    const Images* const images = ghosts.images();
+    const Images::List all = images ? images->find(x, owned, farthest) : Images::List{};
+    const bool anyImages = all.particle.size() > 0;
 
-    // All are asked for before the first is waited for.
+    // Of particles at the edge, or of images. All lists are asked for before the first is waited for.
     struct List
     {
         int part;
-        bool inLists;
+        bool inLists, ofImages;
         Selection places;
         int count;
     };
     std::vector<List> lists;
-    Buffer<std::uint8_t> is(edge.size);
-    for (const int other : near)
+    Buffer<std::uint8_t> is(std::max(edge.size, all.particle.size()));
+    const auto add = [&](int other, bool inLists, bool ofImages)
     {
+        if (counts_.size() == lists.size()) counts_.emplace_back();
+        List& list = lists.emplace_back(List{other, inLists, ofImages, {}, 0});
+        const RowRectangle of = cut_.rowsOf(other);
+        is.resizeDiscarding(ofImages ? all.particle.size() : edge.size);
+        if (ofImages) forEach(is.size(), SeesImage{cells, of, support, farthest, inLists, images->sides().maps(), all.particle.span(), all.across.span(), x, is.span()});
+        else forEach(is.size(), SeenBy{cells, std::uint32_t(owned), of, support, farthest, inLists, edge, x, is.span()});
+        select(is, list.places, is.size(), counts_[lists.size() - 1]);
+    };
+    for (int other = 0; other < cut_.parts(); ++other)
+    {
+        const bool isNear = std::find(near.begin(), near.end(), other) != near.end(), seesImages = anyImages && !cut_.rowsOf(other).isEmpty();
         for (const bool inLists : {true, false})
         {
-            if (counts_.size() == lists.size()) counts_.emplace_back();
-            List& list = lists.emplace_back(List{other, inLists, {}, 0});
-            forEach(edge.size, SeenBy{cells, std::uint32_t(owned), cut_.rowsOf(other), cells.widened(liquid.support()), cells.widened(reach), inLists, edge, x, is.span()});
-            select(is, list.places, edge.size, counts_[lists.size() - 1]);
+            if (isNear) add(other, inLists, false);
+            if (seesImages) add(other, inLists, true);
         }
     }
     std::vector<Exchange::Count> counts(cut_.parts());
-    int sum = 0;
+    int sum = 0, own = 0;
     for (std::size_t k = 0; k < lists.size(); ++k)
     {
         List& list = lists[k];
-        sum += list.count = int(*counts_[k].wait());
+        list.count = int(*counts_[k].wait());
+        if (list.part == part)
+        {
+            own += list.count;
+            continue;
+        }
+        sum += list.count;
         counts[list.part].all += list.count;
-        if (list.inLists) counts[list.part].inLists = list.count;
+        if (list.inLists) counts[list.part].inLists += list.count;
     }
-    Buffer<std::uint32_t> sent(sum);
-    std::uint32_t* next = sent.span().data;
+    Images::List sent{Buffer<std::uint32_t>(sum), Buffer<AtSides>(images ? sum : 0)}, ofOwn{Buffer<std::uint32_t>(own), Buffer<AtSides>(own)};
+    if (images) sent.across.setZero();
+    int sentSoFar = 0, ownSoFar = 0;
     for (const List& list : lists)
     {
-        forEach(list.count, device::Gather<std::uint32_t, device::EveryPlace>{list.places.indices.span(), {}, edge, {next, list.count}});
-        next += list.count;
+        Images::List& to = list.part == part ? ofOwn : sent;
+        int& first = list.part == part ? ownSoFar : sentSoFar;
+        const Span<const std::uint32_t> from = list.ofImages ? all.particle.span() : edge;
+        const auto places = list.places.indices.span();
+        forEach(list.count, device::Gather<std::uint32_t, device::EveryPlace>{places, {}, from, {to.particle.span().data + first, list.count}});
+        if (list.ofImages) forEach(list.count, device::Gather<AtSides, device::EveryPlace>{places, {}, all.across.span(), {to.across.span().data + first, list.count}});
+        first += list.count;
     }
-    Ghosts& ghosts = liquid.ghosts();
-    liquid.resize(owned, ghosts.set(std::move(sent), counts, owned));
+    const int added = images ? ghosts.set(std::move(sent), counts, std::move(ofOwn), owned) : ghosts.set(std::move(sent.particle), counts, owned);
+    liquid.resize(owned, added);
     ghosts.copy(liquid.fields().columnsOf(&FieldInfo::exchanged));
+    if (images) images->renumber(liquid.id);
 }
 
 void PartsOfLiquid::bring(Liquid& liquid, const CellGrid& grid, scalar reach)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/Exchange.H"
 
+#include "device/CountUp.H"
+#include "device/ForEach.H"
+
 #include <utility>
 
 namespace shizuku
@@ -47,7 +50,14 @@ std::vector<Piece> Exchange::piecesOf(const std::vector<Section>& sections, Ghos
     return pieces;
 }
 
-void Exchange::pack(const Columns& values, GhostsOf which)
+void Exchange::packInOrder(const Columns& values)
+{
+    Buffer<std::uint32_t> indices(sent_.size());
+    forEach(indices.size(), CountUp{indices.span(), 0});
+    pack(values, GhostsOf::all, std::as_const(indices).span());
+}
+
+void Exchange::pack(const Columns& values, GhostsOf which, Span<const std::uint32_t> indices)
 {
     const std::size_t record = recordOf(values);
     outPieces_ = piecesOf<SentPiece>(sentSections_, which, record, out_);
@@ -57,7 +67,7 @@ void Exchange::pack(const Columns& values, GhostsOf which)
     {
         const int count = section.of(which);
         if (count == 0) continue;
-        shizuku::pack(values, {sent_.span().data + section.first, count}, const_cast<std::byte*>(piece->bytes));
+        shizuku::pack(values, {indices.data + section.first, count}, const_cast<std::byte*>(piece->bytes));
         ++piece;
     }
 }

@@ -76,6 +76,21 @@ int Ghosts::set(Buffer<std::uint32_t> sent, const std::vector<Exchange::Count>& 
     return taken;
 }
 
+int Ghosts::set(Images::List sent, const std::vector<Exchange::Count>& seen, Images::List own, int owned)
+{
+    Buffer<AtSides> received;
+    if (parts().parts() > 1)
+    {
+        received.resizeDiscarding(set(std::move(sent.particle), seen, owned));
+        exchange_.packInOrder({valuesOf(sent.across)});
+        pass(exchange_);
+        Buffer<std::uint32_t> indices(received.size());
+        forEach(indices.size(), CountUp{indices.span(), 0});
+        exchange_.unpack({valuesOf(received)}, std::as_const(indices).span());
+    }
+    return images_->set(owned, received, std::move(own));
+}
+
 void Ghosts::reorder(const Buffer<std::uint32_t>& order)
 {
     Buffer<std::uint32_t> now(order.size());
@@ -109,11 +124,15 @@ int Ghosts::edges() const
 
 void Ghosts::copy(const Columns& values, GhostsOf which) const
 {
-    if (images_) return images_->copy(values);
-    if (parts().parts() == 1) return;
-    exchange_.pack(values, which);
-    pass(exchange_);
-    exchange_.unpack(values, received_.span(), which);
+    if (values.empty()) return;
+    if (images_) which = GhostsOf::all;             // each is mapped once
+    if (parts().parts() > 1)
+    {
+        exchange_.pack(values, which);
+        pass(exchange_);
+        exchange_.unpack(values, received_.span(), which);
+    }
+    if (images_) images_->copy(values);
 }
 
 void Ghosts::gather(const std::byte* own, const std::vector<std::size_t>& sizes, std::byte* all) const

@@ -2,6 +2,7 @@
 #include "particles/Images.H"
 
 #include "device/Algorithms.H"
+#include "device/CountUp.H"
 #include "device/ForEach.H"
 #include "maths/PackedDeviator.H"
 #include "maths/PackedRows.H"
@@ -35,18 +36,16 @@ struct ListImages
     std::int64_t reach;
     Span<const Position> x;
     Span<const std::uint32_t> start;
-    Span<std::uint32_t> particle, image;
+    Span<std::uint32_t> particle;
     Span<AtSides> at;
 
     HOST_DEVICE void operator()(int i) const
     {
         const AtSides near = sides.within(reach, placeOf(x[i]));
-        const std::uint32_t owned = std::uint32_t(start.size - 1);
         int k = int(start[i]);
         for (int choice = 1; choice <= imagesOf(near); ++choice, ++k)
         {
             particle[k] = std::uint32_t(i);
-            image[k] = owned + std::uint32_t(k);
             at[k] = chosen(near, choice);
         }
     }
@@ -103,6 +102,7 @@ struct MapValues
     HOST_DEVICE void operator()(int k) const
     {
         using Kind = Column::Kind;
+        if (at[k].bits == 0) return;            // a copy of another part's particle
         std::size_t place = image[k];
         if (before)
         {
@@ -138,43 +138,56 @@ private:
 
 }
 
-int Images::find(Span<const Position> places, int owned, scalar reach)
+Images::List Images::find(Span<const Position> places, int owned, scalar reach) const
 {
     const SideMaps& maps = sides_.maps();
     const std::int64_t near = quanta::wholeOf(reach);
     Buffer<std::uint32_t> count(owned), start;
     forEach(owned, CountImages{maps, near, places, count.span()});
     const int images = int(exclusiveScan(count, start, "images of particles"));
-    particle_.resizeDiscarding(images);
-    image_.resizeDiscarding(images);
-    at_.resizeDiscarding(images);
-    forEach(owned, ListImages{maps, near, places, std::as_const(start).span(), particle_.span(), image_.span(), at_.span()});
-    return images;
+    List list{Buffer<std::uint32_t>(images), Buffer<AtSides>(images)};
+    forEach(owned, ListImages{maps, near, places, std::as_const(start).span(), list.particle.span(), list.across.span()});
+    return list;
+}
+
+int Images::set(int owned, const Buffer<AtSides>& received, List own)
+{
+    const int sent = received.size(), images = own.particle.size();
+    across_.resizeDiscarding(sent + images);
+    if (sent > 0) device::copyOnDevice(across_.span().data, received.span().data, sent * sizeof(AtSides));
+    if (images > 0) device::copyOnDevice(across_.span().data + sent, std::as_const(own.across).span().data, images * sizeof(AtSides));
+    ghost_.resizeDiscarding(sent + images);
+    forEach(sent + images, CountUp{ghost_.span(), std::uint32_t(owned)});
+    particle_ = std::move(own.particle);
+    return sent + images;
 }
 
 void Images::renumber(Buffer<std::uint32_t>& id) const
 {
-    forEach(image_.size(), RenumberImages{image_.span(), at_.span(), id.span()});
+    forEach(ghost_.size(), RenumberImages{ghost_.span(), across_.span(), id.span()});
 }
 
 void Images::reorder(Span<const std::uint32_t> now)
 {
-    for (Buffer<std::uint32_t>* list : {&particle_, &image_}) forEach(list->size(), FollowOrder{now, list->span()});
+    for (Buffer<std::uint32_t>* list : {&particle_, &ghost_}) forEach(list->size(), FollowOrder{now, list->span()});
 }
 
 void Images::copy(const Columns& values) const
 {
-    const int n = image_.size();
+    const int n = ghost_.size(), own = particle_.size();
     if (n == 0 || values.empty()) return;
-    RecordMemory records(RecordLine::countFor(n * recordOf(values)));
-    std::byte* const bytes = reinterpret_cast<std::byte*>(records.span().data);
-    pack(values, particle_.span(), bytes);
-    unpack(bytes, image_.span(), values);
+    if (own > 0)
+    {
+        RecordMemory records(RecordLine::countFor(own * recordOf(values)));
+        std::byte* const bytes = reinterpret_cast<std::byte*>(records.span().data);
+        pack(values, particle_.span(), bytes);
+        unpack(bytes, {ghost_.span().data + n - own, own}, values);
+    }
     for (const Column& column : values)
     {
         const bool isPlace = column.kind == Column::Kind::places || column.kind == Column::Kind::positions;
         if (column.kind == Column::Kind::numbers || (!isPlace && !sides_.box().has(Sides::Kind::symmetryPlane))) continue;
-        forEach(n, MapValues{sides_.maps(), image_.span(), at_.span(), column.values, column.stride, column.kind, column.before});
+        forEach(n, MapValues{sides_.maps(), ghost_.span(), across_.span(), column.values, column.stride, column.kind, column.before});
     }
 }
 

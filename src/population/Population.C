@@ -43,7 +43,7 @@ void Population::refuseInOutlets(const Liquid& liquid) const
     {
         for (const Vector3& place : named.source->places())
         {
-            const Vector3 x = place / liquid.units().length;
+            const Vector3 x = sources_.space().between(place) / liquid.units().length;
             const std::string outlet = outlets_.at(placeAt(x.x, x.y, x.z));
             if (outlet.empty()) continue;
             throw FatalInputError(named.where, "Liquid of the source '" + named.name + "' comes in at " + str(place) + " m, where the outlet '" + outlet + "' takes it out", "sources that lie outside of all outlets, and within the bounds that these make");
@@ -58,7 +58,7 @@ void Population::refuseInWalls(const Walls& walls, Liquid& empty) const
         std::vector<Position> places;
         for (const Vector3& place : named.source->places())
         {
-            const Vector3 x = place / empty.units().length;
+            const Vector3 x = sources_.space().between(place) / empty.units().length;
             places.push_back(positionAt(x.x, x.y, x.z));
         }
         empty.resize(int(places.size()));

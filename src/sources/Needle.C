@@ -55,7 +55,7 @@ public:
         {
             const Vector3 place = at(opening_.columns[columnOf(turns_)]);
             bool isFree = !step.isOccupied(place, free*opening_.spacing);
-            for (std::size_t k = first; k < births.size(); ++k) isFree = isFree && length(births[k].place - place) > free*opening_.spacing;
+            for (std::size_t k = first; k < births.size(); ++k) isFree = isFree && step.distance(births[k].place, place) > free*opening_.spacing;
             if (!isFree) continue;
             births.push_back({place, speed(step.middle())*opening_.direction});
             ++let_;

@@ -115,7 +115,7 @@ private:
         const double reach = diameter/2 + 2*spacing_;
         for (const Birth& birth : births)
         {
-            if (length(birth.place - centre) < reach) return false;
+            if (step.distance(birth.place, centre) < reach) return false;
         }
         return !step.isOccupied(centre, reach);
     }

@@ -31,12 +31,14 @@ struct Near
 struct IsNear
 {
     double x, y, z, reach;                      // scaled
+    Periods periods;
     Span<const Position> position;
 
     HOST_DEVICE Near operator()(int i) const
     {
         const Place p = placeOf(position[i]);
-        const double dx = quanta::lengthOf(p.x) - x, dy = quanta::lengthOf(p.y) - y, dz = quanta::lengthOf(p.z) - z;
+        const double dx = periods.shortest(quanta::lengthOf(p.x) - x, 0), dy = periods.shortest(quanta::lengthOf(p.y) - y, 1);
+        const double dz = periods.shortest(quanta::lengthOf(p.z) - z, 2);
         return {dx * dx + dy * dy + dz * dz < reach * reach};
     }
 };
@@ -64,7 +66,7 @@ struct IsOutside
 
 }
 
-Sources::Sources(const std::filesystem::path& casePath, Liquid& liquid)
+Sources::Sources(const std::filesystem::path& casePath, Liquid& liquid) : space_(liquid)
 {
     const Dictionary dict = readSources(casePath);
     for (const std::string& name : dict.dictKeys())
@@ -73,6 +75,9 @@ Sources::Sources(const std::filesystem::path& casePath, Liquid& liquid)
         const SourceSetting setting{name, liquid};
         const SourceLocation where = entry.where("type");
         list_.push_back({name, where, SourceTable::New("source", entry.lookup<std::string>("type"), where, entry, setting), &liquid.number(numberOf(name), 0)});
+        const Source& source = *list_.back().source;
+        const double room = source.stream(0) ? setting.spacing() / 2 : 0;
+        space_.refuseOutside(name, where, source.places(), room);
     }
     dict.refuseUnused();
 }
@@ -95,7 +100,9 @@ void Sources::beginStep(const Liquid& liquid, double time, double deltaT)
             expected << "a deltaT of at most " << named.source->longestStep() << " s in system/controlDict";
             throw FatalInputError(named.where, found.str(), expected.str());
         }
-        if (const auto stream = named.source->stream(time + deltaT / 2)) streams.push_back(stream->scaled(liquid.units().length, liquid.units().of(dimensions::velocity)));
+        const auto stream = named.source->stream(time + deltaT / 2);
+        if (!stream) continue;
+        for (const Stream& each : space_.withImages(*stream)) streams.push_back(each.scaled(liquid.units().length, liquid.units().of(dimensions::velocity)));
     }
     held_.set(streams);
 }
@@ -107,15 +114,17 @@ Sources::Change Sources::apply(Liquid& liquid, double from, double to, double& n
     const double unit = liquid.units().length;
     const auto isOccupied = [&](const Vector3& place, double reach)
     {
+        if (space_.toPlane(place) < reach) return true;
         Buffer<Near> scratch;
-        const IsNear near{place.x / unit, place.y / unit, place.z / unit, reach / unit, liquid.position.span()};
+        const IsNear near{place.x / unit, place.y / unit, place.z / unit, reach / unit, space_.periods().scaled(unit), liquid.position.span()};
         return liquid.parts().any(reduce(liquid.owned(), near, scratch).is > 0);
     };
+    const auto distance = [&](const Vector3& a, const Vector3& b) { return length(space_.periods().shortest(a - b)); };
     std::vector<Birth> births;
     for (const Named& named : list_)
     {
         const std::size_t before = births.size();
-        named.source->bear({from, to, isOccupied}, births);
+        named.source->bear({from, to, isOccupied, distance}, births);
         *named.entered += double(births.size() - before);
     }
     change.entered = int(births.size());
@@ -125,7 +134,7 @@ Sources::Change Sources::apply(Liquid& liquid, double from, double to, double& n
     {
         const int due = named.source->due();
         if (due == 0) continue;
-        const int drawn = draw(liquid, named.source->stream(to)->scaled(unit, 1), due);
+        const int drawn = draw(liquid, *named.source->stream(to), due);
         named.source->drew(drawn);
         *named.entered -= drawn;
         change.drawn += drawn;
@@ -146,7 +155,7 @@ void Sources::bear(Liquid& liquid, const std::vector<Birth>& births, double firs
     std::vector<std::uint32_t> numbers;
     for (const Birth& birth : births)
     {
-        const Vector3 x = birth.place / unit, u = birth.velocity / unitOfSpeed;
+        const Vector3 x = space_.between(birth.place) / unit, u = birth.velocity / unitOfSpeed;
         places.push_back(positionAt(x.x, x.y, x.z));
         velocities.push_back({scalar(u.x), scalar(u.y), scalar(u.z)});
         numbers.push_back(std::uint32_t(firstNumber + double(numbers.size())));
@@ -164,15 +173,19 @@ int Sources::draw(Liquid& liquid, const Stream& stream, int most)
 {
     const std::vector<Position> positions = liquid.position.download();
     const std::vector<std::uint32_t> ids = liquid.id.download();
+    std::vector<Stream> streams;
+    Stream wide = stream;                       // with what has moved back into the opening
+    wide.from -= stream.length*stream.axis;
+    wide.length *= 2;
+    for (const Stream& each : space_.withImages(wide)) streams.push_back(each.scaled(liquid.units().length, 1));
     std::vector<Ahead> own;
     for (int i = 0; i < liquid.owned(); ++i)
     {
         const Place p = placeOf(positions[i]);
-        Stream wide = stream;                   // what has moved back into the opening too
-        wide.from -= stream.length*stream.axis;
-        wide.length *= 2;
+        const auto in = std::find_if(streams.begin(), streams.end(), [&](const Stream& each) { return each.contains(p); });
+        if (in == streams.end()) continue;
         const Vector3 x(quanta::lengthOf(p.x), quanta::lengthOf(p.y), quanta::lengthOf(p.z));
-        if (wide.contains(p)) own.push_back({dot(x - stream.from, stream.axis), ids[i]});
+        own.push_back({dot(x - in->from, in->axis), ids[i]});
     }
     std::vector<Ahead> all = gatherLists(liquid.parts(), own);
     std::sort(all.begin(), all.end(), [](const Ahead& a, const Ahead& b) { return std::tie(a.along, a.id) < std::tie(b.along, b.id); });

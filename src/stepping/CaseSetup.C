@@ -56,10 +56,6 @@ void CaseSetup::makeModels()
 void CaseSetup::makePopulation()
 {
     population.emplace(path, *liquid);
-    if (liquid->ghosts().images() && population->mayComeIn())
-    {
-        throw FatalInputError({(path / "constant/sources").string(), 0}, "Liquid cannot come in where sides are cyclic or symmetry planes", "no sources; or open sides in constant/boundary");
-    }
     if (population->mayComeIn()) population->refuseInWalls(*walls, *emptyLiquid());
 }
 

@@ -13,14 +13,6 @@ SharedRun::SharedRun(const Communicator& parts, CaseSetup& setup)
     : parts_(parts), setup_(setup), controls_(BalanceControls::read(setup.path)), balance_(controls_)
 {
     if (!isCut()) return;
-    if (setup.liquid->ghosts().images())
-    {
-        throw FatalInputError
-        (
-            {(setup.path / "constant/boundary").string(), 0}, "A liquid that goes on across sides is not cut into parts, and there are " + std::to_string(parts.parts()) + " processes",
-            "one process; or open sides"
-        );
-    }
     setup.models->refuseGhostBlind("The liquid cannot be cut into parts");
     setup.liquid->ghosts().join(parts);
 }

@@ -241,8 +241,19 @@ TEST_P(Parallel, RefusesWhatItCannotDoOnceAndLeavesTheCase)
     write("system/decomposeParDict", "rebalanceAbove -1;\n");
     refused({"The share is negative"});
     remove("system/decomposeParDict");
-    write("constant/boundary", "min (0 0 -0.1);\nmax (1 1 0.1);\nsides { zMin symmetryPlane; }\n");
-    refused({"A liquid that goes on across sides is not cut into parts, and there are 3 processes", "constant/boundary", "one process"});
+}
+
+// Half of the block crosses a cyclic side, and rain comes in across it. The surface is that of the mirrored whole.
+TEST_P(Parallel, LiquidGoesOnAcrossSidesAsInOneProcess)
+{
+    write("constant/walls", "floor { type particles; surface \"floor.stl\"; }\n");
+    write("constant/wettability", "floor { theta 60; }\n");
+    write("constant/boundary", "min (-3.5e-3 -6e-3 0); max (1 6e-3 1); sides { xMin symmetryPlane; yMin cyclic; yMax cyclic; }\n");
+    write("constant/sources", "shower { type rain; rate 0.2; corner (2e-3 -6e-3 0.015); along (0.01 0 0); across (0 0.012 0); direction (0 0 -1); speed 0.5; sizes { type oneSize; diameter 3e-3; } }\n");
+    control("functions { state { type liquidState; } size { type volume; } }");
+    fill({-0.2, 0.6, 0});
+    expectTheSameOf({3});
+    EXPECT_TRUE(holds(read("0.004/uniform/liquid"), {"enteredByshower 56;"}));         // four drops
 }
 
 // Of a block of 294 particles: each rank has some, and what it needs.

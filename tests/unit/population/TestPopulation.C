@@ -238,3 +238,129 @@ TEST(Population, RefusesSourcesInWallsAndStepsThatAreTooLong)
     EXPECT_NO_THROW(above.population->refuseInWalls(above.walls, empty));
     EXPECT_TRUE(holds(messageOf([&] { above.step(1); }), {"'a'", "deltaT of at most"}));
 }
+
+namespace
+{
+
+// Axes of cyclic sides 12 mm apart around the origin.
+CaseText repeated(const std::string& sides)
+{
+    CaseText text;
+    text.boundary = "min (-6e-3 -6e-3 0); max (6e-3 6e-3 0); sides { " + sides + " }";
+    return text;
+}
+
+constexpr double periodOfScene = 12e-3;             // m
+const std::string cyclicX = "xMin cyclic; xMax cyclic;", cyclicXY = cyclicX + "yMin cyclic; yMax cyclic;";
+
+double shortest(double d) { return d - periodOfScene*std::round(d/periodOfScene); }
+
+}
+
+// The mouth is on a side. Liquid stands where that of open space does, a period on where it would be beyond the side. Places are whole quanta: 2e-9 m.
+TEST(Population, AStreamGoesOnAcrossACyclicSide)
+{
+    for (const char* y : {"0", "0.006"})
+    {
+        const std::string at = "tap { type nozzle; mouth (0.006 " + std::string(y) + " 0.02); direction (0 0 -1); radius 2.2e-3; flowRate 1e-6; }";
+        SourceScene open(at), across(at, "", false, repeated(cyclicXY));
+        for (int k = 0; k < 60; ++k)
+        {
+            open.step(1e-3);
+            across.step(1e-3);
+        }
+        const auto a = open.liquid.positions(), b = across.liquid.positions();
+        ASSERT_EQ(a.size(), b.size());
+        int moved = 0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+        {
+            EXPECT_NEAR(b[i].x, shortest(a[i].x), 4e-9);
+            EXPECT_NEAR(b[i].y, shortest(a[i].y), 4e-9);
+            EXPECT_NEAR(b[i].z, a[i].z, 4e-9);
+            moved += std::abs(a[i].x - b[i].x) > 1e-3;
+        }
+        EXPECT_EQ(moved, int(a.size()/2));          // half of the mouth
+    }
+}
+
+// What is drawn is the nearest to the mouth, on both sides of the seam.
+TEST(Population, ANeedleDrawsAcrossACyclicSide)
+{
+    SourceScene scene("needle { type needle; mouth (0.006 0 0); direction (0 0 1); radius 2.2e-3; flowRate -1e-6; }", "", false, repeated(cyclicX));
+    scene.place(latticeBlock(12, 5, 5, 1, {-5.5f, -2, 0.5f}));
+    for (int k = 0; k < 12; ++k) scene.step(1e-3);
+    EXPECT_EQ(scene.number("needle"), -12);
+    const std::set<std::uint32_t> left = scene.ids();
+    int lower = 0, upper = 0;                       // drawn beside either side
+    const auto before = latticeBlock(12, 5, 5, 1, {-5.5f, -2, 0.5f});
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+        if (left.contains(std::uint32_t(i))) continue;
+        EXPECT_EQ(before[i].z, 0.5f);
+        EXPECT_LE(std::hypot(6 - std::abs(before[i].x), before[i].y), 2.5f);
+        lower += before[i].x < 0;
+        upper += before[i].x > 0;
+    }
+    EXPECT_EQ(lower + upper, 12);
+    EXPECT_GT(lower, 0);
+    EXPECT_GT(upper, 0);
+}
+
+// Across sides no two drops overlap, and some lie across one.
+TEST(Population, RainFallsOnAPaneThatRepeats)
+{
+    const std::string shower = "shower { type rain; rate 0.05; corner (-6e-3 -6e-3 0.1); along (0.012 0 0); across (0 0.012 0); direction (0 0 -1); speed 2; sizes { type oneSize; diameter 3e-3; } seed 7; }";
+    SourceScene scene(shower, "", false, repeated(cyclicXY));
+    const Vec3 fall{0, 0, -scalar(2/scene.liquid.units().of(dimensions::velocity))};
+    for (int k = 0; k < 20; ++k)
+    {
+        scene.step(1e-3);
+        std::vector<Position> x = scene.liquid.position.download();
+        for (Position& p : x) p += scene.liquid.units().toScaled(1e-3, dimensions::time)*fall;
+        scene.liquid.position.upload(x);
+    }
+    EXPECT_NEAR(scene.volume(), 144e-9, 15e-9);     // 0.05 m/s over 144 mm2 for 20 ms, within a drop
+    const auto x = scene.liquid.positions();
+    int across = 0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+        EXPECT_LE(std::max(std::abs(x[i].x), std::abs(x[i].y)), 6e-3 + 4e-9);
+        for (std::size_t j = 0; j < i; ++j)
+        {
+            const Vector3 d(shortest(x[i].x - x[j].x), shortest(x[i].y - x[j].y), x[i].z - x[j].z);
+            EXPECT_GT(length(d), 0.99e-3);
+            across += length(d) < 1.01e-3 && length(x[i] - x[j]) > 6e-3;
+        }
+    }
+    EXPECT_GT(across, 10);
+}
+
+// A drop is three spacings across, and what is within its radius and two spacings of the plane is left free.
+TEST(Population, RainKeepsAwayFromSymmetryPlanes)
+{
+    const std::string shower = "shower { type rain; rate 0.2; corner (-6e-3 -6e-3 0.1); along (0.012 0 0); across (0 0.012 0); direction (0 0 -1); speed 2; sizes { type oneSize; diameter 3e-3; } }";
+    SourceScene scene(shower, "", false, repeated("xMin symmetryPlane;"));
+    for (int k = 0; k < 20; ++k) scene.step(1e-3);
+    ASSERT_GT(scene.liquid.owned(), 30);
+    for (const Vector3& x : scene.liquid.positions()) EXPECT_GE(x.x, -6e-3 + 1.9e-3);
+}
+
+TEST(Population, RefusesSourcesBeyondSides)
+{
+    const auto message = [](const std::string& sources, const std::string& sides) { return messageOf([&] { SourceScene scene(sources, "", false, repeated(sides)); }); };
+    const auto tapAt = [](const std::string& x) { return "a { type nozzle; mouth (" + x + " 0 0.02); direction (0 0 -1); radius 2.2e-3; velocity 1; }"; };
+    EXPECT_TRUE(holds(message(tapAt("0"), cyclicX + "yMin symmetryPlane;"), {"no error"}));
+    EXPECT_TRUE(holds(message(tapAt("-0.0045"), "xMin symmetryPlane;"), {"'a'", "near to a symmetry plane", "half a spacing away", "constant/sources"}));
+    EXPECT_TRUE(holds(message(tapAt("-0.008"), "xMin symmetryPlane;"), {"'a'", "behind a symmetry plane"}));
+    EXPECT_TRUE(holds(message(tapAt("0.015"), cyclicX), {"no error"}));
+    EXPECT_TRUE(holds(message(tapAt("0.02"), cyclicX), {"'a'", "a period or more beyond the cyclic sides along x"}));
+
+    // From side to side, of a period that is no whole number of quanta.
+    for (const char* spacing : {"3e-4", "4e-4", "7e-4"})
+    {
+        CaseText text = repeated(cyclicXY);
+        text.spacing = std::stod(spacing);
+        const std::string shower = "a { type rain; rate 1; corner (-6e-3 -6e-3 0.1); along (0.012 0 0); across (0 0.012 0); direction (0 0 -1); speed 1; sizes { type oneSize; diameter 3e-3; } }";
+        EXPECT_EQ(messageOf([&] { SourceScene scene(shower, "", false, text); }), "no error") << spacing;
+    }
+}

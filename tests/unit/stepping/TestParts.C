@@ -39,6 +39,7 @@ struct Scene
     std::string sources = {};
     Vec3 velocity{0.1f, 0.8f, -0.8f};   // m/s
     bool leavesParts = false;           // so fast that parts may be without liquid in the end
+    std::string boundary = {};          // constant/boundary
 };
 
 std::filesystem::path setsOfModels() { return std::filesystem::path(std::getenv("SHIZUKU_DIR")) / "tests/validation/models"; }
@@ -47,6 +48,7 @@ CaseText textOf(const Scene& scene)
 {
     CaseText text = caseOnWettedFloor(scene.sampled, 31, 91);        // so long that parts hold some of it
     text.liquidProperties = "rho 1000; nu " + scene.nu + "; sigma 0.072;";
+    text.boundary = scene.boundary;
     return text;
 }
 
@@ -362,6 +364,18 @@ TEST(TestParts, LiquidThatComesInHasTheBitsOfTheWhole)
 }
 
 // Variants of models that no set has.
+// The drop touches itself across y and is beside its image, or its mirror image, across x: cuts go along sides and across them.
+TEST(TestParts, LiquidThatGoesOnAcrossSidesHasTheBitsOfTheWhole)
+{
+    Scene sides{"default", "", true, 5};
+    for (const std::string x : {"xMin cyclic; xMax cyclic;", "xMin symmetryPlane;"})
+    {
+        sides.boundary = "min (-7e-3 -6.6e-3 0); max (7e-3 6.6e-3 0); sides { yMin cyclic; yMax cyclic; " + x + " }";
+        expectSameBits(sides, {slabs(3, false), bisected(4)});
+        sides.sampled = false;
+    }
+}
+
 TEST(TestParts, WallNormalsHaveTheBitsOfTheWhole)
 {
     expectSameBits({"Fujisawa2014", "contactAngleCoeffs { solidNormal wall; }", true, 12}, {bisected(3)});
