@@ -2,7 +2,7 @@
 # What cases need (etc/build -cases): no studies, and no CUDA where no GPU is here.
 add_custom_target(cases)
 foreach(program caseDictionary runCases fillLiquid sampleTheta sampleSurface probeAngle compareReference shizukuToVTK renderCase
-        pbfDroplet meshSurface postProcess adviseCase checkCase shizukuView shizukuMpi)
+        pbfDroplet meshSurface exportSurface postProcess adviseCase checkCase shizukuView shizukuMpi)
     if(TARGET ${program})
         add_dependencies(cases ${program})
     endif()

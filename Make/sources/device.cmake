@@ -138,6 +138,7 @@ set(SHIZUKU_DEVICE_SOURCES
     particles/Images.C
     particles/Unfold.C
     neighbours/ImagesOfLiquid.C
+    motion/QuantisedLiquid.C
     walls/WallsAtSides.C
     walls/WallBodies.C
     motion/ViscousWork.C

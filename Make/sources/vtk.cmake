@@ -18,4 +18,6 @@ set(SHIZUKU_VTK_SOURCES
     vtk/VtpFile.C
     vtk/VtpFormat.C
     vtk/ClearLiquid.C
+    vtk/FinePicture.C
+    vtk/OutsideProgram.C
 )

@@ -17,6 +17,7 @@ namespace
 
 static_assert(std::endian::native == std::endian::little);
 
+constexpr std::size_t bytesEach = 4*sizeof(std::uint16_t);          // a particle
 constexpr double fullScale = std::numeric_limits<std::uint16_t>::max();
 
 // A value between the ends of a range as a part of it.
@@ -86,24 +87,33 @@ std::string jsonVector(const Vector3& vector)
     return "[" + jsonNumber(vector.x) + "," + jsonNumber(vector.y) + "," + jsonNumber(vector.z) + "]";
 }
 
-std::string encodeFrame(const ViewFrame& frame, std::size_t limit)
+std::string encodeFrame(const ViewHead& head, std::string_view words)
 {
-    const std::size_t particles = frame.positions.size();
-    const std::size_t shown = std::min(limit, particles);
-    const Box box = boxOf(frame.positions);
-    const double most = frame.most > 0 || frame.values.empty() ? frame.most : *std::max_element(frame.values.begin(), frame.values.end());
-
-    std::string text = "{\"kind\":" + jsonText(frame.kind) + ",\"time\":" + jsonNumber(frame.time) + ",\"step\":" + std::to_string(frame.step)
-        + ",\"particles\":" + std::to_string(particles) + ",\"shown\":" + std::to_string(shown) + ",\"low\":" + jsonVector(box.low)
-        + ",\"high\":" + jsonVector(box.high) + ",\"spacing\":" + jsonNumber(frame.spacing) + ",\"most\":" + jsonNumber(most)
-        + ",\"unit\":" + jsonText(frame.unit) + ",\"values\":" + jsonNumbers(frame.numbers) + "}";
+    const std::size_t shown = words.size()/bytesEach;
+    std::string text = "{\"kind\":" + jsonText(head.kind) + ",\"time\":" + jsonNumber(head.time) + ",\"step\":" + std::to_string(head.step)
+        + ",\"particles\":" + std::to_string(head.particles) + ",\"shown\":" + std::to_string(shown) + ",\"low\":" + jsonVector(head.low)
+        + ",\"high\":" + jsonVector(head.high) + ",\"spacing\":" + jsonNumber(head.spacing) + ",\"most\":" + jsonNumber(head.most)
+        + ",\"unit\":" + jsonText(head.unit) + ",\"values\":" + jsonNumbers(head.numbers) + "}";
     text.resize((text.size() + 3)/4*4, ' ');
 
     const auto length = std::uint32_t(text.size());
-    std::string message(sizeof length + text.size() + shown*4*sizeof(std::uint16_t), '\0');
-    std::memcpy(message.data(), &length, sizeof length);
-    std::memcpy(message.data() + sizeof length, text.data(), text.size());
-    char* next = message.data() + sizeof length + text.size();
+    std::string message;
+    message.reserve(sizeof length + text.size() + words.size());
+    message.append(reinterpret_cast<const char*>(&length), sizeof length).append(text).append(words);
+    return message;
+}
+
+std::string encodeFrame(const ViewFrame& frame, std::size_t limit)
+{
+    const std::size_t particles = frame.positions.size(), shown = std::min(limit, particles);
+    const Box box = boxOf(frame.positions);
+    ViewHead head = frame;
+    head.particles = particles;
+    head.low = box.low;
+    head.high = box.high;
+    if (!(head.most > 0) && !frame.values.empty()) head.most = *std::max_element(frame.values.begin(), frame.values.end());
+
+    std::string all(shown*bytesEach, '\0');
     for (std::size_t k = 0; k < shown; ++k)
     {
         const std::size_t i = k*particles/shown;
@@ -111,12 +121,11 @@ std::string encodeFrame(const ViewFrame& frame, std::size_t limit)
         const std::uint16_t words[]
         {
             quantised(x.x, box.low.x, box.high.x), quantised(x.y, box.low.y, box.high.y), quantised(x.z, box.low.z, box.high.z),
-            frame.values.empty() ? std::uint16_t(0) : quantised(frame.values[i], 0, most)
+            frame.values.empty() ? std::uint16_t(0) : quantised(frame.values[i], 0, head.most)
         };
-        std::memcpy(next, words, sizeof words);
-        next += sizeof words;
+        std::memcpy(all.data() + k*bytesEach, words, bytesEach);
     }
-    return message;
+    return encodeFrame(head, all);
 }
 
 }

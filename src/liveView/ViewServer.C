@@ -137,12 +137,12 @@ void ViewServer::Loop::keep(const std::string& kind, ViewMessage message, bool i
     });
 }
 
-void ViewServer::Loop::publish(std::shared_ptr<const std::string> frame)
+void ViewServer::Loop::publish(std::function<std::string()> makeFrame)
 {
     wanted_ = 0;
-    asio::post(context_, [this, frame = std::move(frame)]
+    asio::post(context_, [this, makeFrame = std::move(makeFrame)]
     {
-        newest_ = frame;
+        newest_ = std::make_shared<const std::string>(makeFrame());
         ++newestNumber_;
         for (const auto& session : std::vector(sessions_)) session->offer();
     });
@@ -153,7 +153,7 @@ ViewServer::~ViewServer() = default;
 std::string ViewServer::url() const { return loop_->url(); }
 std::size_t ViewServer::wanted() const { return loop_->wanted(); }
 int ViewServer::clients() const { return loop_->clients(); }
-void ViewServer::publish(std::string frame) { loop_->publish(std::make_shared<const std::string>(std::move(frame))); }
+void ViewServer::publish(std::function<std::string()> makeFrame) { loop_->publish(std::move(makeFrame)); }
 
 void ViewServer::keep(const std::string& kind, std::string message, bool isBinary)
 {

@@ -6,6 +6,7 @@
 #include "core/messages/Error.H"
 #include "meshes/Bounds.H"
 #include "vtk/ClearLiquid.H"
+#include "vtk/FinePicture.H"
 #include "vtk/PictureParts.H"
 #include "vtk/StudioFloor.H"
 #include "vtk/StudioSurroundings.H"
@@ -40,6 +41,7 @@ namespace
 {
 
 constexpr int oversampling = 2;         // the picture is rendered larger and averaged: smooth edges on any driver
+constexpr int leastFont = 12;           // pixels, of captions in small pictures
 
 // Where to look: the ball around what is to be seen, and the picture's axes.
 struct Stage
@@ -136,7 +138,7 @@ void addCaption(vtkRenderer& renderer, const std::string& text, int fontSize)
     vtkNew<vtkTextActor> caption;
     caption->SetInput(text.c_str());
     caption->GetTextProperty()->SetFontFamilyToArial();
-    caption->GetTextProperty()->SetFontSize(std::max(10, fontSize));
+    caption->GetTextProperty()->SetFontSize(fontSize);
     caption->GetTextProperty()->SetColor(0.15, 0.2, 0.25);
     caption->GetTextProperty()->SetLineSpacing(1.2);
     caption->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
@@ -270,13 +272,19 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
     std::string caption = scene.caption;
     if (clear)
     {
-        window->Render();
-        PixelImage picture = grabbed(*window, *renderer);
-        clear->draw(picture, cameraOf(*renderer, view));
-        show(*renderer, picture);
-        if (scene.floor) caption += (caption.empty() ? "" : "\n") + tilesCaption(stage.radius);
+        const PictureCamera camera = cameraOf(*renderer, view);
+        if (scene.isFine) show(*renderer, finePicture(scene, camera, {stage.centre, stage.radius, keyLight}, oversampling*view.width, oversampling*view.height));
+        else
+        {
+            window->Render();
+            PixelImage picture = grabbed(*window, *renderer);
+            clear->draw(picture, camera);
+            show(*renderer, picture);
+        }
+        if (scene.floor) caption.append(caption.empty() ? "" : "\n").append(tilesCaption(stage.radius));
     }
-    if (!caption.empty()) addCaption(*renderer, caption, oversampling*view.width/60);
+    if (scene.floor && !scene.pattern.empty() && !scene.isFine) addPatternLegend(*renderer, scene, oversampling*std::max(leastFont, view.width/80));
+    if (!caption.empty()) addCaption(*renderer, caption, oversampling*std::max(leastFont, view.width/60));
     window->Render();
     writePng(*window, file);
 }

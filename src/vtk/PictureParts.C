@@ -149,6 +149,50 @@ void addGlass(vtkRenderer& renderer, const GlassTube& tube)
     add(rim->GetOutputPort(), 0.7);
 }
 
+namespace
+{
+
+// At the right side, with the ends of the range and its middle.
+void addBar(vtkRenderer& renderer, vtkLookupTable& colours, const char* title, int fontSize)
+{
+    vtkNew<vtkScalarBarActor> bar;
+    bar->SetLookupTable(&colours);
+    bar->SetTitle(title);
+    bar->SetNumberOfLabels(3);
+    bar->SetLabelFormat("%.3g");
+    bar->UnconstrainedFontSizeOn();
+    for (vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()})
+    {
+        text->SetColor(0.15, 0.2, 0.25);
+        text->ShadowOff();
+        text->ItalicOff();
+        text->SetFontSize(fontSize);
+    }
+    bar->SetPosition(0.9, 0.3);
+    bar->SetWidth(0.07);
+    bar->SetHeight(0.4);
+    renderer.AddActor2D(bar);
+}
+
+vtkSmartPointer<vtkLookupTable> patternColours(const PictureScene& scene)
+{
+    const auto colours = vtkSmartPointer<vtkLookupTable>::New();
+    colours->SetHueRange(0.57, 0.1);
+    colours->SetSaturationRange(0.5, 0.08);
+    colours->SetValueRange(0.6, 0.95);
+    const auto [least, most] = std::minmax_element(scene.theta.begin(), scene.theta.end());
+    colours->SetRange(*least, *most);
+    colours->Build();
+    return colours;
+}
+
+}
+
+void addPatternLegend(vtkRenderer& renderer, const PictureScene& scene, int fontSize)
+{
+    addBar(renderer, *patternColours(scene), "theta [\u00B0]", fontSize);
+}
+
 void addPattern(vtkRenderer& renderer, const PictureScene& scene)
 {
     const Vector3& n = scene.floor->normal;
@@ -164,11 +208,7 @@ void addPattern(vtkRenderer& renderer, const PictureScene& scene)
     points->SetPoints(toPoints(scene.pattern));
     points->GetPointData()->SetScalars(theta);
 
-    vtkNew<vtkLookupTable> colours;
-    colours->SetHueRange(0.57, 0.1);
-    colours->SetSaturationRange(0.5, 0.08);
-    colours->SetValueRange(0.6, 0.95);
-    colours->Build();
+    const auto colours = patternColours(scene);
     vtkNew<vtkGlyph3DMapper> mapper;
     mapper->SetInputData(points);
     mapper->SetSourceConnection(disc->GetOutputPort());
@@ -208,24 +248,8 @@ void addParticles(vtkRenderer& renderer, const PictureScene& scene, int fontSize
     mapper->SetScalarRange(0, fastest > 0 ? fastest : 1);
     mapper->ScalarVisibilityOn();
 
-    vtkNew<vtkScalarBarActor> bar;
-    bar->SetLookupTable(colours);
     colours->SetRange(0, fastest > 0 ? fastest : 1);
-    bar->SetTitle("|U| [m/s]");
-    bar->SetNumberOfLabels(3);
-    bar->SetLabelFormat("%.2g");
-    bar->UnconstrainedFontSizeOn();
-    for (vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()})
-    {
-        text->SetColor(0.15, 0.2, 0.25);
-        text->ShadowOff();
-        text->ItalicOff();
-        text->SetFontSize(fontSize);
-    }
-    bar->SetPosition(0.9, 0.3);
-    bar->SetWidth(0.07);
-    bar->SetHeight(0.4);
-    renderer.AddActor2D(bar);
+    addBar(renderer, *colours, "|U| [m/s]", fontSize);
 }
 
 }

@@ -30,15 +30,15 @@ constexpr double contactDarkness = 0.35;
 using FloorLight = std::array<PlaneImage, 3>;
 
 // What is left of the light on the lines between tiles, so many pixels from there to there.
-double tileLine(double column, double row, double side)
+double tileLine(double column, double row, double side, double line)
 {
-    constexpr double line = 0.8, width = 2;
+    constexpr double width = 2;
     const auto fromLine = [&](double place) { return std::abs(place - side*std::round(place/side)); };
     return std::min(fromLine(column), fromLine(row)) < width/2 ? line : 1;
 }
 
-// Light as colours, and an opacity that falls to nothing towards the border. tile: side in pixels; 0: none.
-vtkSmartPointer<vtkTexture> floorTexture(const FloorLight& light, const PlaneImage& contact, double contactDarkness, double tile)
+// Light as colours, and an opacity that falls to nothing towards the border. tile: side in pixels, 0: none; line: what is left of the light on its lines.
+vtkSmartPointer<vtkTexture> floorTexture(const FloorLight& light, const PlaneImage& contact, double contactDarkness, double tile, double line)
 {
     constexpr std::array<double, 3> white{236, 234, 230};
     const int size = contact.size;
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkTexture> floorTexture(const FloorLight& light, const PlaneIma
         for (int column = 0; column < size; ++column)
         {
             double own = 1 - contactDarkness*contact.at(column, row);
-            if (tile > 0) own *= tileLine(column + 0.5 - 0.5*size, row + 0.5 - 0.5*size, tile);
+            if (tile > 0) own *= tileLine(column + 0.5 - 0.5*size, row + 0.5 - 0.5*size, tile, line);
             const double x = 2.0*column/(size - 1) - 1, y = 2.0*row/(size - 1) - 1;
             const double fade = std::clamp((1 - std::hypot(x, y))/0.6, 0.0, 1.0);
             auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(column, row, 0));
@@ -96,7 +96,7 @@ vtkSmartPointer<vtkActor> studioFloor
     for (const Vector3& vertex : liquid.vertices) height = std::max(height, plane.distance(vertex));
     castShadow(contact, liquid, -plane.normal, std::min(0.12*radius, 0.25*height));
     FloorLight lit{shadow, shadow, shadow};
-    if (clear) clear->castLight(lit, light, 0.04*radius);
+    if (clear) clear->castLight(lit, light, clear->look().blur*radius);
     else
     {
         castShadow(shadow, liquid, light, std::min(0.25*radius, 0.5*height));
@@ -117,8 +117,8 @@ vtkSmartPointer<vtkActor> studioFloor
     const auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
     actor->SetTexture(clear
-        ? floorTexture(lit, contact, 0.3*contactDarkness, tileSide(radius)*pixels/(2*shadow.halfWidth))
-        : floorTexture(lit, contact, contactDarkness, 0));
+        ? floorTexture(lit, contact, 0.3*contactDarkness, tileSide(radius)*pixels/(2*shadow.halfWidth), clear->look().lines)
+        : floorTexture(lit, contact, contactDarkness, 0, 1));
     actor->GetProperty()->LightingOff();        // the texture holds the light already
     return actor;
 }

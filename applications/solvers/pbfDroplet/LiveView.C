@@ -3,7 +3,6 @@
 
 #include "core/messages/Error.H"
 #include "liveView/CaseScene.H"
-#include "liveView/ViewFrame.H"
 #include "parallel/AllParts.H"
 
 #include <boost/algorithm/string/join.hpp>
@@ -19,24 +18,15 @@ namespace
 {
 
 using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
 
 constexpr double shareOfTime = 0.02;            // that frames may take of the run's
-constexpr auto shortestFrame = 8ms;             // no page draws more
+constexpr Clock::duration shortestFrame = 8ms;  // no page draws more
+constexpr Clock::duration timePerParticle = 32ns;   // what a GPU sends over its bus is no time of the host's: 250 MB/s at most, of 20,000 and more
 constexpr auto lookInterval = 100ms;            // between rows of charts, and looks at files
 constexpr auto historyInterval = 1s;            // of the charts' past, for pages that are opened later
 constexpr std::size_t mostRows = 1200;
 constexpr unsigned short usualPort = 8090;
-
-std::vector<double> speedsOf(const Liquid& liquid)
-{
-    std::vector<Vec3> velocity(liquid.owned());
-    liquid.velocity.download(velocity.data(), liquid.owned());
-    const double unit = liquid.units().of(dimensions::velocity);
-    std::vector<double> speeds;
-    speeds.reserve(velocity.size());
-    for (const Vec3& v : velocity) speeds.push_back(unit*std::sqrt(double(v.x)*v.x + double(v.y)*v.y + double(v.z)*v.z));
-    return speeds;
-}
 
 }
 
@@ -83,7 +73,7 @@ ViewServer::Answer LiveView::obey(const ViewCommand& command)
 bool LiveView::frameIsDue(const Time& time) const
 {
     const bool isAffordable = Clock::now() >= nextFrame_ || !time.running();
-    return isAffordable && server_->wanted() > 0 && shownStep_ != time.index();
+    return isAffordable && server_->wanted() > 0 && shownStep_ != time.index() && !isRead_.load(std::memory_order_acquire);
 }
 
 LiveView::Orders LiveView::decide(const Time& time, const StopSignals& signals)
@@ -109,8 +99,10 @@ void LiveView::attend(Time& time, const FunctionObjects& functions, const StopSi
     if (!isOn_) return;
     for (;;)
     {
+        if (isAsked_) publish();
         const Orders orders = flow_.parts().fold(decide(time, signals));
-        if (orders.show) show(time, functions);
+        if (orders.show) ask(time, functions);
+        if (isAsked_ && (orders.paused || !time.running())) publish();
         look(time, functions);
         if (orders.write) time.writeNext();
         if (orders.stop) time.stop();
@@ -124,25 +116,43 @@ void LiveView::attend(Time& time, const FunctionObjects& functions, const StopSi
     if (server_ && !isPaused) keepState("running");
 }
 
-void LiveView::show(const Time& time, const FunctionObjects& functions)
+void LiveView::ask(const Time& time, const FunctionObjects& functions)
 {
     const auto start = Clock::now();
     const bool isCut = flow_.parts().parts() > 1;
     if (isCut) flow_.gather();
     if (!server_) return;
     const Liquid& liquid = isCut ? flow_.liquid() : liquid_;
-    ViewFrame frame;
-    frame.time = time.value();
-    frame.step = time.index();
-    frame.spacing = liquid.properties().spacing;
-    frame.positions = isCut ? liquid.positions() : flow_.positionsOfPart();
-    frame.values = speedsOf(liquid);
-    frame.unit = "m/s";
-    frame.numbers = functions.lastNumbers();
-    server_->publish(encodeFrame(frame, std::max<std::size_t>(server_->wanted(), 1)));
+    head_.time = time.value();
+    head_.step = time.index();
+    head_.spacing = liquid.properties().spacing;
+    head_.unit = "m/s";
+    head_.numbers = functions.lastNumbers();
+    const std::size_t limit = std::max<std::size_t>(server_->wanted(), 1);
+    quantised_.ask(liquid, limit);
+    isAsked_ = true;
     shownStep_ = time.index();
-    const auto took = Clock::now() - start;
-    nextFrame_ = start + std::max<Clock::duration>(shortestFrame, std::chrono::duration_cast<Clock::duration>(took/shareOfTime));
+    const auto took = std::chrono::duration_cast<Clock::duration>((Clock::now() - start)/shareOfTime);
+    nextFrame_ = start + std::max(took, shortestFrame + timePerParticle*long(std::min(limit, std::size_t(liquid.owned()))));
+}
+
+void LiveView::publish()
+{
+    const auto start = Clock::now();
+    isAsked_ = false;
+    const QuantisedLiquid::Taken taken = quantised_.take();
+    head_.particles = taken.particles;
+    head_.low = taken.low;
+    head_.high = taken.high;
+    head_.most = taken.mostSpeed;
+    isRead_ = true;
+    server_->publish([this, head = head_, words = std::string_view(reinterpret_cast<const char*>(taken.words), taken.shown*sizeof(*taken.words))]
+    {
+        std::string frame = encodeFrame(head, words);
+        isRead_.store(false, std::memory_order_release);
+        return frame;
+    });
+    nextFrame_ += std::chrono::duration_cast<Clock::duration>((Clock::now() - start)/shareOfTime);
 }
 
 // Now and then: a row of the charts, and what has changed in the files and on the walls.

@@ -279,16 +279,37 @@ TEST_F(DropCase, RenderCaseShowsThePlainSurface)
 TEST_F(DropCase, RenderCaseShowsThePatternOfAFloor)
 {
     writeTime("0", {drop(90)});
+    double legend = 0;
     const auto difference = [&]
     {
         const Outcome outcome = call("renderCase", "-look plain -size 160x100 -view above");
         EXPECT_EQ(outcome.status, 0) << outcome.text;
         const Picture picture(path()/"case.png");
+        legend = picture.blueness(0.905, 0.32) - picture.blueness(0.905, 0.65);
         return picture.blueness(0.5, 0.05) - picture.blueness(0.9, 0.05);
     };
     EXPECT_GT(difference(), 20);
+    EXPECT_GT(legend, 20);                              // from the least angle to the largest
     writeField(path()/"0/solid/theta", {"theta", FieldType::scalar, dimensions::none, true, {60}}, {});
     EXPECT_NEAR(difference(), 0, 5);
+    EXPECT_NEAR(legend, 0, 5);
+}
+
+// A ball of 0.8 mm beside the drop, in a picture 10 mm wide: matte, and lit from the upper left, where the sky is blue without it.
+TEST_F(DropCase, RenderCaseDrawsBallsThatLiquidIsOutsideOf)
+{
+    writeTime("0", {drop(90)});
+    const auto bluenessOfPlace = [&]
+    {
+        const Outcome outcome = call("renderCase", "-look plain -size 160x100 -view side -width 0.01 -centre '(0 0 1e-3)'");
+        EXPECT_EQ(outcome.status, 0) << outcome.text;
+        return Picture(path()/"case.png").blueness(0.8, 0.65);
+    };
+    const double sky = bluenessOfPlace();
+    write("constant/walls", "floor { type particles; surface \"floor.stl\"; }\nball { type sphere; centre (3e-3 0 2e-3); radius 8e-4; liquid outside; }\n");
+    // The ball's colour has less blue than red; the sky has more.
+    EXPECT_GT(sky, 5);
+    EXPECT_LT(bluenessOfPlace(), 0);
 }
 
 // A floor below which there is more of its solid is a face of a body: it has no pattern, nor goes on beyond its edges.

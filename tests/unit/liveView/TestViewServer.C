@@ -164,11 +164,11 @@ TEST_F(ViewServerTest, AFrameGoesToWhoAsksForOne)
     EXPECT_EQ(server_.wanted(), 0u);
     client.send(textFrame("next 1234"));
     ASSERT_TRUE(comesTrue([&] { return server_.wanted() == 1234; }));
-    server_.publish("first frame");
+    server_.publish([] { return std::string("first frame"); });
     EXPECT_NE(client.receive("first frame").find("first frame"), std::string::npos);
     EXPECT_EQ(server_.wanted(), 0u);
-    server_.publish("never sent");              // nobody waits
-    server_.publish("newest frame");
+    server_.publish([] { return std::string("never sent"); });              // nobody waits
+    server_.publish([] { return std::string("newest frame"); });
     client.send(textFrame("next 1"));
     const std::string got = client.receive("newest frame");
     EXPECT_NE(got.find("newest frame"), std::string::npos);

@@ -2,9 +2,12 @@
 #include "motion/Motion.H"
 
 #include "motion/LiquidState.H"
+#include "motion/QuantisedLiquid.H"
 #include "motion/SpeedMeter.H"
 #include "motion/ViscousWork.H"
 #include "support/LiquidCase.H"
+
+#include <limits>
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -135,4 +138,58 @@ TEST(ViscousWork, IsWhatVelocitiesLose)
     work.behind(drop.liquid);
     work.addTo(drop.liquid);
     EXPECT_NEAR(drop.liquid.number(ViscousWork::number, 0), 12.5e-6, 1e-11);
+}
+
+// Places within half of a word, which is the box over 65535; 0.51 leaves room for the quanta of places. Half a word of the speed, too.
+TEST(QuantisedLiquid, PlacesAndSpeedsAreWithinHalfAWord)
+{
+    constexpr int particles = 1000;
+    LiquidCase drop;
+    drop.liquid.resize(particles);
+    const Units& units = drop.liquid.units();
+    const double length = units.length, speed = units.of(dimensions::velocity);
+    std::vector<Vec3> x, u;
+    for (int i = 0; i < particles; ++i)
+    {
+        x.push_back({scalar(3 + 0.01*i), scalar(-0.02*i), 5});
+        u.push_back({0, scalar(0.5*i), 0});
+    }
+    drop.liquid.position.upload(placed(x));
+    drop.liquid.velocity.upload(u);
+    QuantisedLiquid quantised;
+    quantised.ask(drop.liquid, 10'000);
+    const auto all = quantised.take();
+    ASSERT_EQ(all.shown, std::size_t(particles));
+    EXPECT_NEAR(all.low.x, 3*length, 1e-5*length);
+    EXPECT_NEAR(all.high.x, 12.99*length, 1e-5*length);
+    EXPECT_NEAR(all.low.y, -19.98*length, 1e-5*length);
+    EXPECT_NEAR(all.mostSpeed, 499.5*speed, 1e-4*speed);
+    for (int i = 0; i < particles; ++i)
+    {
+        EXPECT_NEAR(all.words[i].x*9.99/65535, 0.01*i, 0.51*9.99/65535);
+        EXPECT_NEAR(all.words[i].y*19.98/65535, 19.98 - 0.02*i, 0.51*19.98/65535);
+        EXPECT_EQ(all.words[i].z, 0);           // the box is flat
+        EXPECT_NEAR(all.words[i].speed*499.5/65535, 0.5*i, 0.51*499.5/65535);
+    }
+
+    quantised.ask(drop.liquid, 100);            // every tenth
+    const auto some = quantised.take();
+    ASSERT_EQ(some.shown, 100u);
+    EXPECT_EQ(some.particles, std::size_t(particles));
+    for (int k = 0; k < 100; ++k) EXPECT_NEAR(some.words[k].x*9.99/65535, 0.1*k, 0.51*9.99/65535);
+}
+
+TEST(QuantisedLiquid, WhatIsNoNumberIsZeroAndNoLiquidIsNone)
+{
+    LiquidCase drop;
+    QuantisedLiquid quantised;
+    quantised.ask(drop.liquid, 10);
+    EXPECT_EQ(quantised.take().shown, 0u);
+    drop.liquid.resize(2);
+    drop.liquid.position.upload(placed({{1, 2, 3}, {1, 2, 3}}));
+    drop.liquid.velocity.upload({{std::numeric_limits<scalar>::quiet_NaN(), 0, 0}, {2, 0, 0}});
+    quantised.ask(drop.liquid, 10);
+    const auto two = quantised.take();
+    EXPECT_EQ(two.words[0].speed, 0);
+    EXPECT_EQ(two.words[1].speed, 65535);
 }

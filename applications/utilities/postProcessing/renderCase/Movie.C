@@ -2,15 +2,13 @@
 #include "Movie.H"
 
 #include "core/messages/Error.H"
+#include "vtk/OutsideProgram.H"
 
 #include <cstdio>
-#include <fcntl.h>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
 
 namespace shizuku
@@ -18,28 +16,6 @@ namespace shizuku
 
 namespace
 {
-
-// Runs ffmpeg, whose messages go to a file. The status that it ends with; 127 where there is none.
-int runFfmpeg(const std::vector<std::string>& arguments, const std::filesystem::path& log)
-{
-    const pid_t child = fork();
-    if (child < 0) throw FatalError("ffmpeg cannot be started: no process can be made");
-    if (child == 0)
-    {
-        const int in = open("/dev/null", O_RDONLY), out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-        dup2(in, STDIN_FILENO);
-        dup2(out, STDOUT_FILENO);
-        dup2(out, STDERR_FILENO);
-        std::vector<char*> words{const_cast<char*>("ffmpeg")};
-        for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
-        words.push_back(nullptr);
-        execvp("ffmpeg", words.data());
-        _exit(127);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
 
 // What the kind of file asks for.
 std::vector<std::string> encoding(const std::string& extension)
@@ -63,7 +39,7 @@ Movie::Movie(const std::filesystem::path& file, double rate)
     }
     if (!(rate > 0 && rate <= 240)) throw FatalInputError({}, "The option -rate is not within its range", "pictures a second, above 0 and up to 240");
     std::filesystem::create_directories(folder_);
-    if (runFfmpeg({"-version"}, folder_/"log") == 0) return;
+    if (runOutsideProgram("ffmpeg", {"-version"}, folder_/"log") == 0) return;
     std::filesystem::remove_all(folder_);
     throw FatalError("Films are made by ffmpeg, which is not installed: install the package ffmpeg, or leave out -movie and get single pictures");
 }
@@ -89,7 +65,7 @@ void Movie::write() const
     std::vector<std::string> arguments{"-y", "-loglevel", "error", "-framerate", rate.str(), "-i", (folder_/"%08d.png").string()};
     for (const std::string& word : encoding(file_.extension())) arguments.push_back(word);
     arguments.push_back(whole.string());
-    if (runFfmpeg(arguments, log) != 0)
+    if (runOutsideProgram("ffmpeg", arguments, log) != 0)
     {
         std::ifstream in(log);
         throw FatalError("ffmpeg could not make " + file_.string() + ":\n" + std::string(std::istreambuf_iterator<char>(in), {}));

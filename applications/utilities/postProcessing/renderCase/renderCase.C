@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Renders times of a case off screen: the liquid's surface as water, or its particles, on their wall.
 
+#include "AnalyticWalls.H"
 #include "AngleCaption.H"
 #include "CurvedWalls.H"
 #include "FloorPattern.H"
@@ -26,7 +27,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
-#include <limits>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -148,20 +148,6 @@ Bounds boundsOf(const std::vector<TimeFolder>& times)
     return all;
 }
 
-// A tube from the lowest liquid to a little above the highest.
-void addGlass(PictureScene& scene, const AnalyticSurface& tube)
-{
-    const std::vector<Vector3>& liquid = scene.liquid.vertices.empty() ? scene.particles : scene.liquid.vertices;
-    double low = std::numeric_limits<double>::max(), high = -low;
-    for (const Vector3& x : liquid)
-    {
-        low = std::min(low, dot(x - tube.point, tube.direction));
-        high = std::max(high, dot(x - tube.point, tube.direction));
-    }
-    const double above = 0.2*(high - low);
-    scene.glass.push_back({tube.point + low*tube.direction, tube.direction, high - low + above, tube.radius});
-}
-
 // Solid particles behind a plane: it is a face of a body, and no floor.
 bool isFace(const Plane& plane, const SolidParticles& solid, double spacing)
 {
@@ -183,12 +169,9 @@ void addWalls(PictureScene& scene, const std::filesystem::path& casePath, double
         if (!scene.floor) scene.floor = plane;
         shown.erase(name);
     }
-    for (const AnalyticSurface& surface : walls.analytic)
-    {
-        if (surface.type == AnalyticSurface::Type::cylinder && surface.liquidInside) addGlass(scene, surface);
-    }
     const CurvedWalls curved = readCurvedWalls(casePath, shown, time);
     scene.walls = curved.mesh;
+    addAnalyticWalls(scene, walls.analytic);
     for (std::size_t i = 0; i < walls.solid.positions.size(); ++i)
     {
         const std::string& patch = walls.solid.patches[walls.solid.patch[i]];
@@ -218,7 +201,7 @@ std::filesystem::path fileOf(const Arguments& args, const TimeFolder& time, bool
 // Of the option, or by the liquid of constant/liquidProperties: mercury is heavy, honey is thick.
 std::string lookOf(const Arguments& args)
 {
-    if (args.found("look")) return args.get("look");
+    if (args.found("look") && args.get("look") != "fine") return args.get("look");
     const auto file = args.casePath()/"constant/liquidProperties";
     if (!isThere(file)) return "water";
     const Dictionary liquid = Dictionary::read(file);
@@ -231,8 +214,10 @@ PictureScene sceneOf(const Arguments& args, const TimeFolder& time, const std::s
 {
     PictureScene scene;
     scene.look = lookOf(args);
+    scene.isFine = args.found("look") && args.get("look") == "fine";
     scene.spacing = readSpacing(args.casePath());
     addLiquid(scene, time);
+    if (scene.isFine && scene.liquid.faces.empty()) throw FatalError("The time " + time.name + " has no surface for -look fine\n    Run meshSurface first");
     addWalls(scene, args.casePath(), time.value);
     addFloorPattern(scene, args.casePath(), time);
     scene.up = upward(args.casePath(), scene.floor);
@@ -295,7 +280,7 @@ int main(int argc, char** argv)
     options.push_back({"centre", "(X Y Z)", "Centre of the picture, m (default: centre of the liquid)", ""});
     options.push_back({"width", "METRES", "Width of the picture at its centre (default: the liquid of all times fits)", ""});
     options.push_back({"view", "side|perspective|above", "Look level, down slightly, or down from above", "perspective"});
-    options.push_back({"look", "water|honey|mercury|ink|plain", "Look of the liquid (default: by its density and viscosity); plain is blue and opaque", ""});
+    options.push_back({"look", "water|honey|mercury|ink|plain|fine", "Look of the liquid (default: by its density and viscosity); plain is blue and opaque; fine: by POV-Ray", ""});
     options.push_back({"movie", "FILE", "A film of the selected times, or of all times, by ffmpeg: .mp4 or .gif", ""});
     options.push_back({"rate", "N", "Pictures of the film per second", "25"});
     return runApplication

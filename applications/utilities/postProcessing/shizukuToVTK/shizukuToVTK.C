@@ -3,7 +3,7 @@
 //
 //     VTK/liquid/liquid_<index>.vtp       particles: U [m/s], id, and every other field of <time>/liquid in its SI unit
 //     VTK/surface/surface_<index>.vtp     mesh of meshSurface: normals, curvature [1/m], theta [degrees] of the wall where it is near, NaN elsewhere, and the
-//                                         particles' fields (SurfaceFields.H); in pieces with normals alone
+//                                         particles' fields (meshes/FieldsAt.H); in pieces with normals alone
 //     VTK/solid/solid_<index>.vtp         solid particles, where they are at the time: normals out of the solid, patch (its number), theta [degrees]
 //     VTK/<name>.pvd, <name>.vtp.series   the animations
 //
@@ -14,7 +14,7 @@
 // times, whichever are selected. The animations keep what was converted before of times that are not selected now.
 
 #include "LiquidFields.H"
-#include "SurfaceFields.H"
+#include "meshes/FieldsAt.H"
 
 #include "caseFiles/LiquidFiles.H"
 #include "caseFiles/SolidParticles.H"

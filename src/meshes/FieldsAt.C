@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "SurfaceFields.H"
+#include "meshes/FieldsAt.H"
 
 #include "device/HostThreads.H"
 #include "meshes/NearestPoint.H"

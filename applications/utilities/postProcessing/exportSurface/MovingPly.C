@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MovingSurface.H"
+
+#include "core/fieldFile/AtomicFile.H"
+
+#include <bit>
+#include <cstdint>
+#include <string>
+
+namespace shizuku
+{
+
+static_assert(std::endian::native == std::endian::little, "binary PLY is written in the machine's byte order");
+
+void writeMovingPly(const std::filesystem::path& file, const MovingSurface& surface)
+{
+    const TriangleMesh& mesh = surface.mesh;
+    std::string bytes;
+    const auto append = [&bytes](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    {
+        for (const Vector3& v : {mesh.vertices[i], mesh.normals[i], surface.velocities[i]})
+        {
+            for (int c = 0; c < 3; ++c) append(float(v[c]));
+        }
+    }
+    for (const auto& face : mesh.faces)
+    {
+        append(std::uint8_t(3));
+        for (const int corner : face) append(std::int32_t(corner));
+    }
+    writeAtomically(file, [&](std::ostream& out)
+    {
+        out << "ply\nformat binary_little_endian 1.0\ncomment lengths in metres, velocities in m/s\ncomment time " << surface.time << " s\n"
+            << "element vertex " << mesh.vertices.size() << '\n';
+        for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "vx", "vy", "vz"}) out << "property float " << name << '\n';
+        out << "element face " << mesh.faces.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+        out.write(bytes.data(), std::streamsize(bytes.size()));
+    });
+}
+
+}
