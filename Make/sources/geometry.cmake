@@ -94,6 +94,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     optics/Studio.C
     optics/TriangleTree.C
     meshes/MeshCurvature.C
+    drops/LineState.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.
