@@ -95,6 +95,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     optics/TriangleTree.C
     meshes/MeshCurvature.C
     drops/LineState.C
+    wallMotions/CrossingWalls.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.
