@@ -96,6 +96,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     meshes/MeshCurvature.C
     drops/LineState.C
     wallMotions/CrossingWalls.C
+    caseFiles/AnalyticMesh.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.

@@ -96,7 +96,7 @@ std::string encodeFrame(const ViewFrame& frame, std::size_t limit)
     std::string text = "{\"kind\":" + jsonText(frame.kind) + ",\"time\":" + jsonNumber(frame.time) + ",\"step\":" + std::to_string(frame.step)
         + ",\"particles\":" + std::to_string(particles) + ",\"shown\":" + std::to_string(shown) + ",\"low\":" + jsonVector(box.low)
         + ",\"high\":" + jsonVector(box.high) + ",\"spacing\":" + jsonNumber(frame.spacing) + ",\"most\":" + jsonNumber(most)
-        + ",\"unit\":" + jsonText(frame.unit) + ",\"values\":" + jsonNumbers(frame.numbers) + "}";
+        + ",\"unit\":" + jsonText(frame.unit) + ",\"values\":" + jsonNumbers(frame.numbers) + (frame.walls.empty() ? "" : ",\"walls\":" + frame.walls) + "}";
     text.resize((text.size() + 3)/4*4, ' ');
 
     const auto length = std::uint32_t(text.size());

@@ -139,10 +139,25 @@ void LiveView::show(const Time& time, const FunctionObjects& functions)
     frame.values = speedsOf(liquid);
     frame.unit = "m/s";
     frame.numbers = functions.lastNumbers();
+    frame.walls = showWalls(time);
     server_->publish(encodeFrame(frame, std::max<std::size_t>(server_->wanted(), 1)));
     shownStep_ = time.index();
     const auto took = Clock::now() - start;
     nextFrame_ = start + std::max<Clock::duration>(shortestFrame, std::chrono::duration_cast<Clock::duration>(took/shareOfTime));
+}
+
+// Those that move. In the middle of an edit constant/walls may be unreadable: then they are shown in a later frame.
+std::string LiveView::showWalls(const Time& time)
+{
+    try
+    {
+        if (solidMoves(time.casePath())) server_->keep("solid", solidMessage(time.casePath(), time.value(), theta_), true);
+        return movedWallsText(time.casePath(), time.value());
+    }
+    catch (const FatalInputError&)
+    {
+        return {};
+    }
 }
 
 // Now and then: a row of the charts, and what has changed in the files and on the walls.
@@ -172,14 +187,14 @@ void LiveView::look(const Time& time, const FunctionObjects& functions)
     if (angles && angles->particles != theta_)
     {
         theta_ = angles->particles;
-        server_->keep("solid", solidMessage(time.casePath(), theta_), true);
+        server_->keep("solid", solidMessage(time.casePath(), time.value(), theta_), true);
     }
 }
 
 void LiveView::keepScene(const Time& time)
 {
     const std::string modifiable = time.modifiable() ? "true" : "false";
-    server_->keep("scene", sceneText(time.casePath(), "\"mode\":\"live\",\"endTime\":" + jsonNumber(time.endTime()) + ",\"modifiable\":" + modifiable
+    server_->keep("scene", sceneText(time.casePath(), time.value(), "\"mode\":\"live\",\"endTime\":" + jsonNumber(time.endTime()) + ",\"modifiable\":" + modifiable
         + ",\"sliders\":" + sliders_->json()));
 }
 

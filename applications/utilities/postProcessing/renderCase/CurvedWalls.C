@@ -9,9 +9,9 @@
 namespace shizuku
 {
 
-CurvedWalls readCurvedWalls(const std::filesystem::path& casePath, const std::set<std::string>& patches, double time)
+CurvedWalls readCurvedWalls(const std::filesystem::path& casePath, const std::set<std::string>& patches, double time, TriangleMesh others)
 {
-    CurvedWalls curved;
+    CurvedWalls curved{.mesh = std::move(others), .patches = {}};
     if (patches.empty()) return curved;
     const Dictionary walls = Dictionary::read(casePath/"constant/walls");
     const WallMotions motions = WallMotions::read(casePath);

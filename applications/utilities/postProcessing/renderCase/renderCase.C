@@ -6,6 +6,7 @@
 #include "FloorPattern.H"
 #include "Movie.H"
 
+#include "caseFiles/AnalyticMesh.H"
 #include "caseFiles/CaseGravity.H"
 #include "caseFiles/LiquidFiles.H"
 #include "caseFiles/WallPlane.H"
@@ -135,6 +136,9 @@ void addLiquid(PictureScene& scene, const TimeFolder& time)
     }
 }
 
+// Its surface, or its particles.
+const std::vector<Vector3>& liquidOf(const PictureScene& scene) { return scene.liquid.vertices.empty() ? scene.particles : scene.liquid.vertices; }
+
 // Around the liquid of all of them.
 Bounds boundsOf(const std::vector<TimeFolder>& times)
 {
@@ -143,7 +147,7 @@ Bounds boundsOf(const std::vector<TimeFolder>& times)
     {
         PictureScene scene;
         addLiquid(scene, time);
-        for (const Vector3& x : scene.liquid.vertices.empty() ? scene.particles : scene.liquid.vertices) all.add(x);
+        for (const Vector3& x : liquidOf(scene)) all.add(x);
     }
     return all;
 }
@@ -151,7 +155,7 @@ Bounds boundsOf(const std::vector<TimeFolder>& times)
 // A tube from the lowest liquid to a little above the highest.
 void addGlass(PictureScene& scene, const AnalyticSurface& tube)
 {
-    const std::vector<Vector3>& liquid = scene.liquid.vertices.empty() ? scene.particles : scene.liquid.vertices;
+    const std::vector<Vector3>& liquid = liquidOf(scene);
     double low = std::numeric_limits<double>::max(), high = -low;
     for (const Vector3& x : liquid)
     {
@@ -170,11 +174,12 @@ bool isFace(const Plane& plane, const SolidParticles& solid, double spacing)
     return std::any_of(solid.positions.begin(), solid.positions.end(), isBehind);
 }
 
-// The first plane wall is the floor. Other patches are shown by the surface that they were sampled from, or by their
+// The first plane wall is the floor. Balls and rods with liquid around them are bodies. Other patches are shown by the surface that they were sampled from, or by their
 // particles where that is not there.
 void addWalls(PictureScene& scene, const std::filesystem::path& casePath, double time)
 {
     const CaseWalls walls = readCaseWalls(casePath, time);
+    TriangleMesh bodies;
     std::set<std::string> shown(walls.solid.patches.begin(), walls.solid.patches.end());
     for (const std::string& name : walls.names)
     {
@@ -185,9 +190,11 @@ void addWalls(PictureScene& scene, const std::filesystem::path& casePath, double
     }
     for (const AnalyticSurface& surface : walls.analytic)
     {
+        const bool isRound = surface.type == AnalyticSurface::Type::cylinder || surface.type == AnalyticSurface::Type::sphere;
         if (surface.type == AnalyticSurface::Type::cylinder && surface.liquidInside) addGlass(scene, surface);
+        if (isRound && !surface.liquidInside) addMesh(bodies, surface, boundsOf(liquidOf(scene)));
     }
-    const CurvedWalls curved = readCurvedWalls(casePath, shown, time);
+    const CurvedWalls curved = readCurvedWalls(casePath, shown, time, std::move(bodies));
     scene.walls = curved.mesh;
     for (std::size_t i = 0; i < walls.solid.positions.size(); ++i)
     {
