@@ -95,6 +95,9 @@ set(SHIZUKU_GEOMETRY_SOURCES
     optics/TriangleTree.C
     meshes/MeshCurvature.C
     meshes/FieldsAt.C
+    drops/LineState.C
+    wallMotions/CrossingWalls.C
+    caseFiles/AnalyticMesh.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.

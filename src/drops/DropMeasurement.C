@@ -82,7 +82,7 @@ DropMeasurement::DropMeasurement
 )
 :
     walls_(std::move(walls)), controls_(controls), spacing_(spacing),
-    wall_(makeWallShape(walls_, controls.wall, spacing)), prescribed_(casePath, walls_, controls.wall), others_(distanceToOthers(walls_, controls.wall, spacing)), case_(casePath)
+    wall_(makeWallShape(walls_, controls.wall, spacing)), prescribed_(casePath, walls_, controls.wall), law_(casePath, controls.wall), others_(distanceToOthers(walls_, controls.wall, spacing)), case_(casePath)
 {}
 
 void DropMeasurement::readCase(double time, const std::vector<double>& inForce)
@@ -92,6 +92,7 @@ void DropMeasurement::readCase(double time, const std::vector<double>& inForce)
     const Dictionary liquid = liquidOf(case_);
     density_ = liquid.found("rho") ? liquid.lookupPositive("rho", dimensions::density) : unknown;
     tension_ = liquid.found("sigma") ? liquid.lookupPositive("sigma", dimensions::surfaceTension, true) : unknown;
+    law_.read();
 }
 
 std::vector<Drop> DropMeasurement::dropsOf(const TriangleMesh& surface) const
@@ -100,12 +101,12 @@ std::vector<Drop> DropMeasurement::dropsOf(const TriangleMesh& surface) const
     return separateDrops(surface, smallest*spacing_*spacing_*spacing_);
 }
 
-std::vector<DropRecord> DropMeasurement::measure(const std::vector<Drop>& drops, const std::vector<long>& particles, double time) const
+std::vector<DropRecord> DropMeasurement::measure(const std::vector<Drop>& drops, const std::vector<long>& particles, double time, const HeldAngles& held) const
 {
     std::vector<DropRecord> records;
     for (std::size_t k = 0; k < drops.size(); ++k)
     {
-        records.push_back(measureDrop(drops[k], drops[k].surface.centroid(), particles[k], time));
+        records.push_back(measureDrop(drops[k], drops[k].surface.centroid(), particles[k], time, held));
     }
     return records;
 }
@@ -148,7 +149,7 @@ void DropMeasurement::goOn(const KeptNumbers& state)
     for (const auto& first : eachOf(state, "firstVolumes", 2)) firstVolumes_[int(first[0])] = first[1];
 }
 
-DropRecord DropMeasurement::measureDrop(const Drop& drop, const Vector3& centroid, long particles, double time) const
+DropRecord DropMeasurement::measureDrop(const Drop& drop, const Vector3& centroid, long particles, double time, const HeldAngles& held) const
 {
     DropRecord record;
     record.time = time;
@@ -162,6 +163,8 @@ DropRecord DropMeasurement::measureDrop(const Drop& drop, const Vector3& centroi
     record.centroid = centroid;
     const double footprint = std::sqrt(record.shape.coveredArea/std::numbers::pi);
     record.prescribed = prescribed_.below(centroid, footprint, wall_->at(centroid).normal);
+    if (law_.isThere()) record.line = law_.stateOf(record.shape.line, held, spacing_);
+    else record.line.theta = prescribed_.along(record.shape.line);
     if (record.shape.state == DropState::attached)
     {
         const Vector3 normal = wall_->at(centroid).normal;

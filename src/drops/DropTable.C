@@ -20,7 +20,8 @@ CsvFile dropTable(const std::filesystem::path& file)
             {"centroidX", "m"}, {"centroidY", "m"}, {"centroidZ", "m"}, {"residual", "spacings"},
             {"tangentMean", "deg"}, {"tangentMin", "deg"}, {"tangentMax", "deg"}, {"advancing", "deg"}, {"receding", "deg"},
             {"capillaryLength", "m"}, {"sigma", "N/m"}, {"lineRadius", "m"},
-            {"profileRadius", "m"}, {"profileAngle", "deg"}, {"contactAngle", "deg"}, {"method", ""}
+            {"profileRadius", "m"}, {"profileAngle", "deg"}, {"contactAngle", "deg"}, {"method", ""},
+            {"localAngle", "deg"}, {"lineHeld", "%"}, {"lineAdvancing", "%"}, {"lineReceding", "%"}
         }
     );
 }
@@ -36,7 +37,8 @@ void addRow(CsvFile& table, const DropRecord& record)
         record.centroid.x, record.centroid.y, record.centroid.z, shape.residual,
         shape.mean, shape.min, shape.max, shape.advancing, shape.receding,
         record.capillaryLength, record.sigma, shape.lineRadius, record.profileRadius, record.profileAngle,
-        record.chosen.angle, word(record.chosen.method)
+        record.chosen.angle, word(record.chosen.method),
+        record.line.theta, 100*record.line.held, 100*record.line.advancing, 100*record.line.receding
     });
 }
 
@@ -156,6 +158,12 @@ std::string report(const DropRecord& record, const std::string& wall, bool metho
     if (!std::isnan(shape.advancing))
     {
         lines.add("advancing side") << fixed(shape.advancing, 2) << " deg, receding side " << fixed(shape.receding, 2) << '\n';
+    }
+    if (!std::isnan(record.line.theta)) lines.add("local angle") << fixed(record.line.theta, 2) << " deg, mean along the contact line\n";
+    if (!std::isnan(record.line.held))
+    {
+        lines.add("contact line") << "held " << fixed(100*record.line.held, 0) << " %, advancing " << fixed(100*record.line.advancing, 0)
+            << " %, receding " << fixed(100*record.line.receding, 0) << " % of its length\n";
     }
     lines.add("contact radius") << millimetres(std::isnan(record.chosen.radius) ? shape.contactRadius : record.chosen.radius) << '\n';
     lines.add("height") << millimetres(shape.height) << '\n';

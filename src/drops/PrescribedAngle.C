@@ -18,6 +18,14 @@ PrescribedAngle::PrescribedAngle
     {
         if (walls.solid.patches[i] == wall) patch_ = int(i);
     }
+    std::vector<Vector3> places;
+    for (std::size_t k = 0; k < walls.solid.positions.size(); ++k)
+    {
+        if (walls.solid.patch[k] != patch_) continue;
+        ofPatch_.push_back(k);
+        places.push_back(walls.solid.positions[k]);
+    }
+    if (!places.empty()) nearest_ = std::make_unique<NearestPoint>(places);
 }
 
 void PrescribedAngle::read(double time, const std::vector<double>& inForce)
@@ -53,6 +61,19 @@ double PrescribedAngle::below(const Vector3& foot, double radius, const Vector3&
         ++count;
     }
     return count > 0 ? sum/count : none;
+}
+
+double PrescribedAngle::along(const std::vector<LineTangent>& line) const
+{
+    if (line.empty()) return none;
+    if (theta_.empty() || !nearest_) return wallTheta_;
+    double sum = 0, total = 0;
+    for (const LineTangent& tangent : line)
+    {
+        sum += tangent.length*theta_[ofPatch_[(*nearest_)(tangent.point)]];
+        total += tangent.length;
+    }
+    return sum/total;
 }
 
 }

@@ -6,6 +6,7 @@
 #include "caseFiles/LiquidFiles.H"
 #include "caseFiles/SolidParticles.H"
 #include "core/messages/Error.H"
+#include "wallMotions/WallMotions.H"
 
 #include <utility>
 
@@ -43,30 +44,47 @@ std::string wallText(const AnalyticSurface& wall, const std::string& theta)
     return text + "}";
 }
 
-}
-
-std::string sceneText(const std::filesystem::path& casePath, const std::string& more)
+std::string wallsText(const std::filesystem::path& casePath, double time)
 {
-    const auto readIfThere = [&](const char* file) { return std::filesystem::exists(casePath/file) ? Dictionary::read(casePath/file) : Dictionary(); };
-    const Dictionary walls = readIfThere("constant/walls"), wettability = readIfThere("constant/wettability");
-    std::string text = "{\"kind\":\"scene\",\"case\":" + jsonText(casePath.filename().string()) + ",\"spacing\":" + jsonNumber(readSpacing(casePath))
-        + ",\"gravity\":" + jsonVector(caseGravity(casePath)) + ",\"walls\":[";
+    if (!std::filesystem::exists(casePath/"constant/walls")) return "[]";
+    const auto angles = casePath/"constant/wettability";
+    const Dictionary wettability = std::filesystem::exists(angles) ? Dictionary::read(angles) : Dictionary();
+    std::string text = "[";
     const char* separator = "";
-    for (const AnalyticSurface& wall : readAnalyticSurfaces(walls))
+    for (const AnalyticSurface& wall : readAnalyticSurfaces(casePath, time))
     {
         text += std::exchange(separator, ",") + wallText(wall, thetaText(wettability, wall.name));
     }
-    return text + "]" + (more.empty() ? "" : ",") + more + "}";
+    return text + "]";
 }
 
-std::string solidMessage(const std::filesystem::path& casePath, const std::vector<double>& theta)
+}
+
+std::string sceneText(const std::filesystem::path& casePath, double time, const std::string& more)
+{
+    std::string text = "{\"kind\":\"scene\",\"case\":" + jsonText(casePath.filename().string()) + ",\"spacing\":" + jsonNumber(readSpacing(casePath))
+        + ",\"gravity\":" + jsonVector(caseGravity(casePath)) + ",\"walls\":" + wallsText(casePath, time);
+    return text + (more.empty() ? "" : ",") + more + "}";
+}
+
+std::string movedWallsText(const std::filesystem::path& casePath, double time)
+{
+    return WallMotions::read(casePath).none() ? "" : wallsText(casePath, time);
+}
+
+bool solidMoves(const std::filesystem::path& casePath)
+{
+    return useSolidParticles(casePath) && haveSolidParticles(casePath) && !WallMotions::read(casePath).none();
+}
+
+std::string solidMessage(const std::filesystem::path& casePath, double time, const std::vector<double>& theta)
 {
     ViewFrame frame;
     frame.kind = "solid";
     frame.spacing = readSpacing(casePath);
     frame.most = flatAngle;
     frame.unit = "deg";
-    if (useSolidParticles(casePath) && haveSolidParticles(casePath)) frame.positions = readSolidParticles(casePath).positions;
+    if (useSolidParticles(casePath) && haveSolidParticles(casePath)) frame.positions = readSolidParticles(casePath, time).positions;
     if (theta.size() == frame.positions.size()) frame.values = theta;
     return encodeFrame(frame, mostSolid);
 }

@@ -93,7 +93,7 @@ std::string encodeFrame(const ViewHead& head, std::string_view words)
     std::string text = "{\"kind\":" + jsonText(head.kind) + ",\"time\":" + jsonNumber(head.time) + ",\"step\":" + std::to_string(head.step)
         + ",\"particles\":" + std::to_string(head.particles) + ",\"shown\":" + std::to_string(shown) + ",\"low\":" + jsonVector(head.low)
         + ",\"high\":" + jsonVector(head.high) + ",\"spacing\":" + jsonNumber(head.spacing) + ",\"most\":" + jsonNumber(head.most)
-        + ",\"unit\":" + jsonText(head.unit) + ",\"values\":" + jsonNumbers(head.numbers) + "}";
+        + ",\"unit\":" + jsonText(head.unit) + ",\"values\":" + jsonNumbers(head.numbers) + (head.walls.empty() ? "" : ",\"walls\":" + head.walls) + "}";
     text.resize((text.size() + 3)/4*4, ' ');
 
     const auto length = std::uint32_t(text.size());

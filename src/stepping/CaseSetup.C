@@ -3,6 +3,7 @@
 
 #include "device/KeptMemory.H"
 #include "parallel/AllParts.H"
+#include "wallMotions/CrossingWalls.H"
 
 namespace shizuku
 {
@@ -78,9 +79,15 @@ void CaseSetup::readParticles(const Time& time)
 
 void CaseSetup::refuseBadStart(const Time& time) const
 {
+    refuseCrossingWalls(time);
     refuseOverlap(time);
     refuseLiquidInside(time);
     device::dropKeptMemory();               // of reading, the first cut and these checks: steps want other sizes
+}
+
+void CaseSetup::refuseCrossingWalls(const Time& time) const
+{
+    shizuku::refuseCrossingWalls(path, time.value(), time.endTime(), liquid->properties().spacing);
 }
 
 void CaseSetup::refuseOverlap(const Time& time) const

@@ -4,6 +4,7 @@
 #include "SameFiles.H"
 #include "core/dictionary/Differences.H"
 #include "thetaModels/LineLaws.H"
+#include "wallMotions/CrossingWalls.H"
 #include "thetaModels/ThetaField.H"
 
 #include <algorithm>
@@ -99,6 +100,7 @@ public:
         {
             motions = WallMotions::read(time.casePath());
             setup.walls->refuseMotions(liquid, *motions, time.value());
+            refuseCrossingWalls(time.casePath(), time.value(), time.endTime(), liquid.properties().spacing);
         }
         if (!models->angles || setup.walls->particles() == 0) return;
         const std::optional<WallAngles>& angles = setup.walls->angles();

@@ -128,6 +128,7 @@ void LiveView::ask(const Time& time, const FunctionObjects& functions)
     head_.spacing = liquid.properties().spacing;
     head_.unit = "m/s";
     head_.numbers = functions.lastNumbers();
+    head_.walls = showWalls(time);
     const std::size_t limit = std::max<std::size_t>(server_->wanted(), 1);
     quantised_.ask(liquid, limit);
     isAsked_ = true;
@@ -153,6 +154,20 @@ void LiveView::publish()
         return frame;
     });
     nextFrame_ += std::chrono::duration_cast<Clock::duration>((Clock::now() - start)/shareOfTime);
+}
+
+// Those that move. In the middle of an edit constant/walls may be unreadable: then they are shown in a later frame.
+std::string LiveView::showWalls(const Time& time)
+{
+    try
+    {
+        if (solidMoves(time.casePath())) server_->keep("solid", solidMessage(time.casePath(), time.value(), theta_), true);
+        return movedWallsText(time.casePath(), time.value());
+    }
+    catch (const FatalInputError&)
+    {
+        return {};
+    }
 }
 
 // Now and then: a row of the charts, and what has changed in the files and on the walls.
@@ -182,14 +197,14 @@ void LiveView::look(const Time& time, const FunctionObjects& functions)
     if (angles && angles->particles != theta_)
     {
         theta_ = angles->particles;
-        server_->keep("solid", solidMessage(time.casePath(), theta_), true);
+        server_->keep("solid", solidMessage(time.casePath(), time.value(), theta_), true);
     }
 }
 
 void LiveView::keepScene(const Time& time)
 {
     const std::string modifiable = time.modifiable() ? "true" : "false";
-    server_->keep("scene", sceneText(time.casePath(), "\"mode\":\"live\",\"endTime\":" + jsonNumber(time.endTime()) + ",\"modifiable\":" + modifiable
+    server_->keep("scene", sceneText(time.casePath(), time.value(), "\"mode\":\"live\",\"endTime\":" + jsonNumber(time.endTime()) + ",\"modifiable\":" + modifiable
         + ",\"sliders\":" + sliders_->json()));
 }
 

@@ -10,6 +10,7 @@
 
 #include "drops/DropMeasurement.H"
 #include "functionObjects/FunctionObject.H"
+#include "parallel/AllParts.H"
 
 namespace shizuku
 {
@@ -45,7 +46,7 @@ public:
         std::vector<Drop> drops;
         if (flow.parts().part() == 0) drops = measurement_.dropsOf(flow.surface());
         const std::vector<long> particles = particlesInside(drops, flow.positionsOfPart(), flow.parts());
-        std::vector<DropRecord> records = measurement_.measure(drops, particles, flow.time.value());
+        std::vector<DropRecord> records = measurement_.measure(drops, particles, flow.time.value(), heldAngles(flow));
         if (flow.parts().part() > 0) return;
         measurement_.number(records);
         for (const DropRecord& record : records) addRow(table_, record);
@@ -62,6 +63,16 @@ public:
     const CsvFile* table() const override { return &table_; }
 
 private:
+    // Of all parts, in part 0.
+    HeldAngles heldAngles(FlowView& flow) const
+    {
+        HeldAngles held;
+        if (!flow.models.heldLine || !measurement_.hasLaw()) return held;
+        const std::vector<scalar> angles = flow.models.heldLine->angle().download();
+        const HeldAngles own = HeldAngles::of(flow.positionsOfPart(), {angles.begin(), angles.end()});
+        return {gatherListsAtFirst(flow.parts(), own.positions), gatherListsAtFirst(flow.parts(), own.angles)};
+    }
+
     DropMeasurement measurement_;
     CsvFile table_;
 };

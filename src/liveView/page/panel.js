@@ -32,6 +32,7 @@ class Panel {
 
     takeLiquid(frame) {
         this.scene.take(frame);
+        if (frame.walls) this.scene.setWalls(frame.walls);
         this.last = frame;
         ++this.frames;
         element("time").textContent = withPrefix(frame.time, "s", 4);

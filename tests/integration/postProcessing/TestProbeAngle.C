@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "DropCase.H"
+#include "caseFiles/LiquidFiles.H"
 #include "support/DropMeshes.H"
 
 #include <numbers>
@@ -226,4 +227,31 @@ TEST_F(DropCase, ProbeAngleRefusesBadInput)
     expectError({"liquid.ply", "open"});
     write("0/surface/liquid.ply", "solid\n");
     expectError({"liquid.ply", "'ply'"});
+}
+
+// A drop over the border between both halves of the floor: half of its line is on each, but for a few tangents.
+TEST_F(DropCase, ProbeAngleTellsTheAngleAlongTheLine)
+{
+    writeTime("0", {drop(90, 1000, 0)});
+    ASSERT_EQ(call("probeAngle").status, 0);
+    const std::string file = "postProcessing/probeAngle/0/angle.csv";
+    auto row = table(file).at(0);
+    EXPECT_NEAR(number(row.at("localAngle")), 80, 3);
+    for (const char* column : {"lineHeld", "lineAdvancing", "lineReceding"}) EXPECT_EQ(row.at(column), "nan") << column;       // no law
+
+    // One half at the advancing angle, the other half in between.
+    write("constant/wettability", "floor { law hysteresis; thetaAdv 110; thetaRec 50; }\n");
+    const std::vector<Vector3> positions = readLiquidPositions(path()/"0");
+    FieldData angles{"contactLineAngle", FieldType::scalar, dimensions::none, false, {}};
+    for (const Vector3& x : positions) angles.values.push_back((x.y < 0 ? 110 : 70)*std::numbers::pi/180);
+    writeField(path()/"0/liquid/contactLineAngle", angles, {});
+    const Outcome outcome = call("probeAngle");
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, {"local angle", "contact line", "held "}));
+    row = table(file).at(0);
+    EXPECT_NEAR(number(row.at("localAngle")), 90, 2);
+    EXPECT_NEAR(number(row.at("lineHeld")), 50, 4);
+    EXPECT_NEAR(number(row.at("lineAdvancing")), 50, 4);
+    EXPECT_EQ(number(row.at("lineReceding")), 0);
+    EXPECT_EQ(row.at("prescribed"), "nan");
 }

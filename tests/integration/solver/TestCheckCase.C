@@ -236,6 +236,15 @@ TEST_P(CheckCase, KnownFaultsAreSaidByTheSolverToo)
     EXPECT_TRUE(holds(solve().text, {"--> WARNING: " + text, "constant/walls at line 2"}));
 }
 
+// A lid 20 mm above the floor, at 10 m/s, in a run of 4 ms.
+TEST_P(CheckCase, MotionsThroughWallsAreRefused)
+{
+    write("constant/walls", "floor { type particles; surface \"floor.stl\"; }\nside { type plane; point (0 0 0.02); normal (0 0 -1); motion { type translation; velocity (0 0 -10); } }\n");
+    const std::vector<std::string> message{"The motion of the wall 'side' takes it through the wall 'floor': at 0.00", "constant/walls at line 2", "'stop'"};
+    expectFailures(1, message);
+    expectRefusal(message);
+}
+
 TEST_P(CheckCase, UtilitiesDictionariesAndSteps)
 {
     write("system/fillLiquidDict", "bodies { drop { type sphere; centre (0 0 0); raduis 1; } }");

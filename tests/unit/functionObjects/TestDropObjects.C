@@ -251,6 +251,26 @@ TEST(ContactAngleTable, MeasuresAsProbeAngleDoes)
     EXPECT_TRUE(holds(refusal("", {}), {"'wall' is missing"}));
 }
 
+// On a wall that holds lines, whose whole line has the advancing angle, and before a step has given it one.
+TEST(ContactAngleTable, TellsWhatTheLineDoes)
+{
+    FlowCase flow
+    (
+        "angle { type contactAngle; }", {.walls = floorPlane, .wettability = "floor { law hysteresis; thetaAdv 100; thetaRec 60; }"},
+        "pressure completedPbf; surfaceTension laplacePressure; wetting extendedSurface;"
+    );
+    flow.step(halfBall());
+    const std::string table = "angle/0/contactAngle.csv";
+    EXPECT_TRUE(std::isnan(flow.value(table, "lineHeld")));
+    auto& angles = std::get<Buffer<scalar>>(flow.liquid.fields().find("contactLineAngle")->values);
+    angles.upload(std::vector<scalar>(angles.size(), scalar(100*pi/180)));
+    flow.measure();
+    EXPECT_EQ(flow.value(table, "lineAdvancing"), 100);
+    EXPECT_EQ(flow.value(table, "lineHeld"), 0);
+    EXPECT_NEAR(flow.value(table, "localAngle"), 100, 1e-4);        // of a float's radians
+    EXPECT_TRUE(std::isnan(flow.value(table, "prescribed")));
+}
+
 // Nobody asks: no surface, no density, no sums.
 TEST(FlowView, ComputesNothingUnasked)
 {

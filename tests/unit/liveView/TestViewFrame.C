@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "liveView/CaseScene.H"
 #include "liveView/ViewFrame.H"
+#include "support/ScratchFolder.H"
 
 #include <gtest/gtest.h>
 
@@ -65,6 +67,26 @@ TEST(ViewFrame, OfManyAnEvenShareIsSent)
     ASSERT_EQ(decoded.words.size(), 100u);
     for (int i = 0; i < 25; ++i) EXPECT_NEAR(decoded.words[4*i + 3]*99/65535.0, 4*i, 0.501*99/65535);
     EXPECT_NE(decoded.text.find("\"particles\":100,\"shown\":25"), std::string::npos) << decoded.text;
+}
+
+// A ball that rises by 1 m/s beside a floor: the scene has it where it is, frames only where walls move.
+TEST(CaseScene, WallsAreWhereTheyAreAtTheTime)
+{
+    const test::ScratchFolder folder;
+    folder.write("system/solution", "spacing 1e-4;\n");
+    const std::string ball = "floor { type plane; point (0 0 0); normal (0 0 1); }\nball { type sphere; centre (0 0 2); radius 1; liquid outside; ";
+    folder.write("constant/walls", ball + "motion { type translation; velocity (0 0 1); } }\n");
+    const auto has = [](const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; };
+    EXPECT_TRUE(has(sceneText(folder.path(), 0, ""), "\"point\":[0,0,2]"));
+    EXPECT_TRUE(has(sceneText(folder.path(), 0.5, ""), "\"point\":[0,0,2.5]"));
+    ViewFrame frame = row(1);
+    frame.walls = movedWallsText(folder.path(), 0.5);
+    EXPECT_TRUE(has(decode(encodeFrame(frame, 1)).text, "\"walls\":[{\"name\":\"floor\""));
+    EXPECT_TRUE(has(frame.walls, "\"point\":[0,0,2.5]"));
+    EXPECT_FALSE(solidMoves(folder.path()));
+    folder.write("constant/walls", ball + "}\n");
+    EXPECT_EQ(movedWallsText(folder.path(), 0.5), "");
+    EXPECT_FALSE(has(decode(encodeFrame(row(1), 1)).text, "walls"));
 }
 
 TEST(ViewFrame, NoParticlesAndNoLimitAreWhole)

@@ -100,7 +100,19 @@ private:
     {
         measurement_.readCase(time.value);
         const std::vector<Drop> drops = measurement_.dropsOf(readSurface(liquidSurfaceFile(time.path)));
-        return measurement_.measure(drops, particlesInside(drops, readLiquidPositions(time.path), Alone()), time.value);
+        return measurement_.measure(drops, particlesInside(drops, readLiquidPositions(time.path), Alone()), time.value, heldAngles(time));
+    }
+
+    // A start has none: no step has been made that would know of lines.
+    HeldAngles heldAngles(const TimeFolder& time) const
+    {
+        const auto file = time.path/"liquid/contactLineAngle";
+        if (!measurement_.hasLaw() || !std::filesystem::exists(file)) return {};
+        const std::vector<Vector3> positions = readLiquidPositions(time.path);
+        const FieldData angles = readField(file, FieldType::scalar, dimensions::none, long(positions.size()));
+        std::vector<double> radians(positions.size());
+        for (std::size_t i = 0; i < radians.size(); ++i) radians[i] = angles(i);
+        return HeldAngles::of(positions, radians);
     }
 
     void numberOthers(const Bytes& bytes)

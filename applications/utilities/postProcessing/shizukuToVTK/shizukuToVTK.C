@@ -5,6 +5,8 @@
 //     VTK/surface/surface_<index>.vtp     mesh of meshSurface: normals, curvature [1/m], theta [degrees] of the wall where it is near, NaN elsewhere, and the
 //                                         particles' fields (meshes/FieldsAt.H); in pieces with normals alone
 //     VTK/solid/solid_<index>.vtp         solid particles, where they are at the time: normals out of the solid, patch (its number), theta [degrees]
+//     VTK/walls/walls_<index>.vtp         analytic walls, where they are at the time, as meshes that look into the liquid: wall (its number); planes and cylinders end
+//                                         beside the liquid of the first time
 //     VTK/<name>.pvd, <name>.vtp.series   the animations
 //
 // With -parallel each part writes the particles that it has read, a share of the file, as a piece of liquid_<index>.pvtp; so it does with a surface that is
@@ -13,6 +15,7 @@
 // Coordinates are in metres; every file has the field data TimeValue [s] and particleSpacing [m]. <index> counts the case's
 // times, whichever are selected. The animations keep what was converted before of times that are not selected now.
 
+#include "AnalyticWalls.H"
 #include "LiquidFields.H"
 #include "meshes/FieldsAt.H"
 
@@ -109,9 +112,11 @@ public:
         parts_(parts), case_(args.casePath()), all_(timeFolders(case_)), times_(selectTimes(args)), spacing_(readSpacing(case_)),
         fields_(times_, args.found("fields") ? std::optional(args.getList("fields")) : std::nullopt),
         liquid_(case_, "liquid", vtkEncodingFrom(args.get("format"))), surface_(case_, "surface", vtkEncodingFrom(args.get("format"))),
-        solid_(case_, "solid", vtkEncodingFrom(args.get("format")))
+        solid_(case_, "solid", vtkEncodingFrom(args.get("format"))), walls_(case_, "walls", vtkEncodingFrom(args.get("format")))
     {
-        if (parts.part() == 0) solidConverter_.emplace(case_);
+        if (parts.part() > 0) return;
+        solidConverter_.emplace(case_);
+        analytic_.emplace(case_, firstLiquid());
     }
 
     void run()
@@ -126,6 +131,7 @@ public:
             inAllParts(parts_, [&]
             {
                 if (solidConverter_) solidConverter_->add(solid_, times_[i], index, spacing_);
+                if (analytic_) analytic_->add(walls_, times_[i].value, index, spacing_);
             });
             progress.update(double(i + 1)/times_.size());
         }
@@ -133,6 +139,18 @@ public:
     }
 
 private:
+    // Around the liquid of the first time that has some.
+    Bounds firstLiquid() const
+    {
+        for (const TimeFolder& time : times_)
+        {
+            if (!std::filesystem::exists(time.path/"liquid/positions")) continue;
+            const Bounds bounds = boundsOf(readLiquidPositions(time.path));
+            if (bounds.low.x <= bounds.high.x) return bounds;
+        }
+        return {};
+    }
+
     void addLiquid(const TimeFolder& time, int index)
     {
         if (!std::filesystem::exists(time.path/"liquid/positions")) return;
@@ -192,13 +210,13 @@ private:
     void addTheta(VtpContent& surface, const TimeFolder& time)
     {
         constexpr double near = 0.75;           // spacings
-        if (!walls_) walls_.emplace(case_, spacing_);
-        if (!walls_->any()) return;
-        walls_->readTheta(time.value);
+        if (!near_) near_.emplace(case_, spacing_);
+        if (!near_->any()) return;
+        near_->readTheta(time.value);
         FieldData theta{"theta", FieldType::scalar, dimensions::none, false, {}};
         for (const Vector3& x : surface.points)
         {
-            const auto wall = walls_->at(x, near*spacing_);
+            const auto wall = near_->at(x, near*spacing_);
             theta.values.push_back(wall ? wall->theta : std::nan(""));
         }
         surface.pointFields.push_back(std::move(theta));
@@ -207,7 +225,7 @@ private:
     void finish() const
     {
         if (parts_.part() > 0) return;
-        if (liquid_.times() + surface_.times() + solid_.times() == 0)
+        if (liquid_.times() + surface_.times() + solid_.times() + walls_.times() == 0)
         {
             throw FatalInputError
             (
@@ -220,7 +238,7 @@ private:
         {
             if (indexOf(time, times_) == int(times_.size())) others.push_back(time.value);
         }
-        for (const VtkSeries* series : {&liquid_, &surface_, &solid_})
+        for (const VtkSeries* series : {&liquid_, &surface_, &solid_, &walls_})
         {
             series->finish(others);
             if (series->times() > 0) std::cout << "Written: " << series->pvdFile().string() << '\n';
@@ -232,9 +250,10 @@ private:
     std::vector<TimeFolder> all_, times_;
     double spacing_;
     LiquidFields fields_;
-    VtkSeries liquid_, surface_, solid_;
-    std::optional<SolidConverter> solidConverter_;
-    std::optional<WallsNear> walls_;    // of the part that converts a surface      // of part 0
+    VtkSeries liquid_, surface_, solid_, walls_;
+    std::optional<SolidConverter> solidConverter_;      // of part 0
+    std::optional<AnalyticWalls> analytic_;             // of part 0
+    std::optional<WallsNear> near_;                     // of the part that converts a surface
 };
 
 }

@@ -69,7 +69,7 @@ std::string StoredCase::scene(std::size_t stride) const
         if (i > 0) times += ',';
         times += jsonNumber(times_[i].value);
     }
-    return sceneText(case_, "\"mode\":\"stored\",\"times\":[" + times + "]");
+    return sceneText(case_, times_.front().value, "\"mode\":\"stored\",\"times\":[" + times + "]");
 }
 
 std::string StoredCase::solid() const
@@ -77,7 +77,7 @@ std::string StoredCase::solid() const
     const auto folder = findInstance(case_, times_.back().value, "solid/theta");
     std::vector<double> theta;
     if (!folder.empty()) theta = readField(folder/"solid/theta").values;
-    return solidMessage(case_, theta);
+    return solidMessage(case_, times_.back().value, theta);
 }
 
 std::string StoredCase::frame(std::size_t index, std::size_t limit) const
@@ -90,6 +90,7 @@ std::string StoredCase::frame(std::size_t index, std::size_t limit) const
     frame.positions = readLiquidPositions(time.path, spacing_);
     frame.values = speedsAt(time, frame.positions.size());
     frame.unit = "m/s";
+    frame.walls = movedWallsText(case_, time.value);
     for (const auto& [title, rows] : measured_)
     {
         const auto after = rows.upper_bound(time.value*(1 + 1e-9));     // the last row up to this time

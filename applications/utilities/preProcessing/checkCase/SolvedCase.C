@@ -121,6 +121,7 @@ void SolvedCase::readFunctions(Findings& findings)
 void SolvedCase::checkParticles(Findings& findings)
 {
     if (!liquid || !time) return;
+    if (walls) findings.attempt([&] { refuseCrossingWalls(*time); });
     if (!findings.attempt([&] { readParticles(*time); })) return;
     findings.attempt([&] { refuseOverlap(*time); });
     if (relaxes && measureCrowding(*liquid).overlaps(limits(*time)))
