@@ -68,12 +68,13 @@ LiquidBridge LiquidBridge::between(double height, double volume, double theta)
 {
     const double half = height/2, slope = 1/std::tan(radians(theta));
     const auto volumeOf = [&](double neck) { return meridian(neck, pressureOf(neck, half, slope), half).volume; };
+    const std::domain_error none("no bridge of that volume between these plates");
     double wide = 3*std::sqrt(volume/(std::numbers::pi*height)) + height, narrow = wide;
     do
     {
         wide = narrow;
         narrow *= 0.95;
-        if (narrow < 1e-3*height) throw std::domain_error("no bridge of that volume between these plates");
+        if (narrow < 1e-3*height) throw none;
     }
     while (volumeOf(narrow) > volume);
     for (int k = 0; k < 60; ++k)
@@ -82,7 +83,10 @@ LiquidBridge LiquidBridge::between(double height, double volume, double theta)
         (volumeOf(middle) > volume ? wide : narrow) = middle;
     }
     const double pressure = pressureOf(wide, half, slope);
-    return {wide, meridian(wide, pressure, half).foot, pressure, 2*std::numbers::pi*(wide - pressure*wide*wide/2)};
+    const Meridian found = meridian(wide, pressure, half);
+    // Where meridians that blow up one way or the other are all that there is, the bisections end between them.
+    if (!(std::abs(found.slope - slope) < 1e-6*(1 + std::abs(slope)) && std::abs(found.volume - volume) < 1e-6*volume)) throw none;
+    return {wide, found.foot, pressure, 2*std::numbers::pi*(wide - pressure*wide*wide/2)};
 }
 
 }

@@ -7,6 +7,8 @@
 #include "caseFiles/WallPlane.H"
 #include "reference/LiquidBridge.H"
 
+#include <stdexcept>
+
 namespace shizuku
 {
 
@@ -23,7 +25,7 @@ public:
     {
         const CaseWalls walls = readCaseWalls(results.casePath());
         const Plane lower = planeNamed(walls, lower_, lowerAt_, results), upper = planeNamed(walls, upper_, upperAt_, results);
-        const LiquidBridge exact = LiquidBridge::between(lower.distance(upper.point), results.liquidVolume(), theta_);
+        const LiquidBridge exact = bridge(lower.distance(upper.point), results);
         const CsvTable table = results.table(function_, "wallForces.csv");
         std::vector<ComparisonRow> rows;
         for (const auto& [name, plane] : {std::pair{lower_, lower}, {upper_, upper}})
@@ -34,6 +36,18 @@ public:
     }
 
 private:
+    LiquidBridge bridge(double gap, const CaseResults& results) const
+    {
+        try
+        {
+            return LiquidBridge::between(gap, results.liquidVolume(), theta_);
+        }
+        catch (const std::domain_error& error)
+        {
+            throw FatalInputError(upperAt_, std::string("There is ") + error.what(), "plates nearer to each other, or more liquid");
+        }
+    }
+
     static Plane planeNamed(const CaseWalls& walls, const std::string& name, const SourceLocation& where, const CaseResults& results)
     {
         const auto plane = planeOf(walls, name, results.spacing);
