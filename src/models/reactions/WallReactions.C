@@ -129,8 +129,8 @@ private:
 // Of a Newtonian liquid that walls hold; other models' friction is shared by touch.
 bool wallsHold(const Dictionary& models)
 {
-    if (models.lookupOr<std::string>("viscosity", "none") != "newtonian") return false;
-    return !models.found("newtonianCoeffs") || models.subDict("newtonianCoeffs").lookupOr("noSlip", true);
+    const std::string model = models.lookupOr<std::string>("viscosity", "none"), coeffs = model + "Coeffs";
+    return model == "newtonian" && (!models.found(coeffs) || models.subDict(coeffs).lookupOr("noSlip", true));
 }
 
 // The same numbers, on the host.
