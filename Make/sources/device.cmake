@@ -143,4 +143,7 @@ set(SHIZUKU_DEVICE_SOURCES
     walls/WallBodies.C
     motion/ViscousWork.C
     stepping/Sleep.C
+    walls/WallEntries.C
+    models/reactions/WallReactions.C
+    functionObjects/wallForces/WallForces.C
 )

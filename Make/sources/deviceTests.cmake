@@ -39,6 +39,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/pressure/completedPbf/TestTangentialGradient.C
     models/pressure/idealGas/TestIdealGas.C
     models/pressure/pbf/TestPbf.C
+    models/reactions/TestWallReactions.C
     models/surfaceTension/Becker2007/TestBecker2007.C
     models/surfaceTension/Kondo2007/TestKondo2007.C
     models/surfaceTension/Mueller2003/TestMueller2003.C

@@ -75,4 +75,6 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     particles/Sides.C
     particles/Unfold.C
     walls/WallsAtSides.C
+    walls/WallEntries.C
+    functionObjects/wallForces/WallForces.C
 )

@@ -14,4 +14,5 @@ set(SHIZUKU_REFERENCE_SOURCES
     reference/TubeMeniscus.C
     reference/ViscousDrop.C
     reference/PlateFlow.C
+    reference/LiquidBridge.C
 )

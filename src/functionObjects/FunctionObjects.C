@@ -139,6 +139,11 @@ bool FunctionObjects::lookAtViscousWork() const
     return std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.object->looksAtViscousWork(); });
 }
 
+bool FunctionObjects::lookAtWallReactions() const
+{
+    return std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.object->looksAtWallReactions(); });
+}
+
 void FunctionObjects::execute(FlowView& flow)
 {
     for (Entry& entry : entries_)

@@ -55,6 +55,7 @@ void SubStep::operator()(scalar dt, double from)
     prepared_.reset();
     if (held_) held_->begin(liquid_);
     lengthenLists(liquid_, near_, walls_, models_, [&] { predict(dt); }, [&] { force(dt); });
+    if (reactions_) reactions_->begin(liquid_, models_, dt);
     constrain(dt);
     update(dt);
 }
@@ -105,6 +106,7 @@ void SubStep::update(scalar dt)
     );
     models_.pressure->commit();
     models_.forces.commit();
+    if (reactions_) reactions_->pressed(liquid_);
     models_.velocityCorrection->apply(liquid_, near_, walls_, dt);
     models_.velocityCorrection->commit();
     if (work_) work_->before(liquid_);
@@ -113,6 +115,7 @@ void SubStep::update(scalar dt)
     if (work_) work_->behind(liquid_);
     models_.particleShifting->apply(liquid_, near_, walls_);
     models_.particleShifting->commit();
+    if (reactions_) reactions_->end(liquid_, walls_, models_, dt);
     if (models_.heldLine) models_.heldLine->advance(liquid_, near_, walls_, *models_.freeSurface, dt);
     if (held_) held_->end(liquid_, dt);
 }

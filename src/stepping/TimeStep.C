@@ -51,6 +51,11 @@ void TimeStep::countViscousWork()
     subStep_.count(work_.emplace());
 }
 
+void TimeStep::countWallReactions()
+{
+    subStep_.count(reactions_.emplace(setup_.path, *setup_.liquid));
+}
+
 void TimeStep::limitCapillaryCo(double most)
 {
     mostCapillaryCo_ = most;
@@ -88,6 +93,7 @@ void TimeStep::make(const SubSteps& steps, double from)
     }
     if (steps.count == 0) return;
     if (work_) work_->addTo(*setup_.liquid);
+    if (reactions_) reactions_->addTo(*setup_.liquid);
     if (sleep_) sleep_->look(*setup_.liquid, time_.value() - from, speedOfWalls(from, time_.value()) > 0);
 }
 

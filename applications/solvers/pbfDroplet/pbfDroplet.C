@@ -63,6 +63,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     reportStart(flow, liquid);
     limitStepsOfBlobs(flow, liquid, step);
     if (functions.lookAtViscousWork()) step.countViscousWork();
+    if (functions.lookAtWallReactions()) step.countWallReactions();
     FallenLiquid fallen(setup);
     if (args.found("dry-run")) return reportDryRun(time, step.control(), liquid, near, *setup.walls, *setup.models, device, step.speeds().now);
 

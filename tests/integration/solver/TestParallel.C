@@ -22,7 +22,7 @@ class Parallel : public SolverCase
 {
 protected:
     static inline const std::string functions =
-        "functions { state { type liquidState; } size { type volume; spray yes; } work { type energy; } spread { type spreadDiameter; }"
+        "functions { state { type liquidState; } size { type volume; spray yes; } work { type energy; } push { type wallForces; } spread { type spreadDiameter; }"
         " angle { type contactAngle; wall floor; } gauge { type probes; fields (rho U p); probeLocations ((0 0 1e-3) (2e-3 1e-3 3e-3)); } }";
     static inline const std::string endless = "endTime 10; writeInterval 5; functions { drop { type liquidState; } }";
 

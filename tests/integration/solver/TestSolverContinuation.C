@@ -63,7 +63,7 @@ protected:
     static inline const std::vector<std::pair<std::string, std::string>> files
     {
         {"drop", "liquidState.csv"}, {"energies", "energy.csv"}, {"size", "volume.csv"}, {"gauges", "probes.csv"},
-        {"angle", "contactAngle.csv"}, {"spread", "spreadDiameter.csv"}
+        {"angle", "contactAngle.csv"}, {"spread", "spreadDiameter.csv"}, {"push", "wallForces.csv"}
     };
 
     // The condition holds for the row of the first step, which the control sees in the second; 4 ms later, with the sixth, it asks for the
@@ -77,6 +77,7 @@ protected:
         " size { type volume; executeControl runTime; executeInterval 1.5e-3; }"
         " gauges { type probes; fields (rho U); probeLocations ((0 0 2e-3)); executeControl writeTime; executeInterval 2; }"
         " angle { type contactAngle; wall floor; executeInterval 2; writeControl runTime; writeInterval 5e-3; }"
+        " push { type wallForces; executeInterval 2; }"
         " spread { type spreadDiameter; executeControl onEnd; } }";
 
     static std::size_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "models/reactions/WallReactions.H"
+
+#include "freeSurface/WallContribution.H"
+#include "walls/HalfSpace.H"
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct Velocity
+{
+    double of[3];
+};
+
+// Of a velocity at a place.
+HOST_DEVICE inline Reaction reactionOf(Place at, Velocity velocity, scalar share)
+{
+    const double x[3] = {quanta::lengthOf(at.x), quanta::lengthOf(at.y), quanta::lengthOf(at.z)};
+    const double* u = velocity.of;
+    Reaction reaction;
+    for (int c = 0; c < 3; ++c)
+    {
+        const int a = (c + 1) % 3, b = (c + 2) % 3;
+        reaction.impulse[c] = wideQuanta(u[c]);
+        reaction.moment[c] = wideQuanta(x[a] * u[b] - x[b] * u[a]);
+    }
+    reaction.share = wideQuanta(share);
+    return reaction;
+}
+
+struct MomentumOf
+{
+    Span<const Position> position;
+    Span<const Vec3> velocity;
+    Velocity more;                              // dt g
+
+    HOST_DEVICE Reaction operator()(int i) const
+    {
+        const Vec3 u = velocity[i];
+        return reactionOf(placeOf(position[i]), {{u.x + more.of[0], u.y + more.of[1], u.z + more.of[2]}}, 0);
+    }
+};
+
+// Part of what a wall gets, at a particle.
+struct EstimateAt
+{
+    std::uint32_t wall;
+    WallReactions::Part part;
+    scalar h, spacing;
+    scalar perPressure, tension, friction;      // 2 dt/rho0, 2 dt sigma/rho0, dt nu; 0: there is no estimate
+    Span<const Position> position;
+    Span<const Vec3> velocity;
+    Span<const scalar> pressure;                // empty: none
+    WallView walls;
+    Span<const std::uint32_t> ofSurface, ofParticle, fileOrder;
+    HalfSpaceView plane;
+    ExtendedLiquidView extended;
+    FreeSurfaceView surface;                    // where hasSurface
+
+    bool hasSurface;
+
+    HOST_DEVICE Reaction operator()(int i) const
+    {
+        const Position x = position[i];
+        const Nearest solid = nearestSolid(i, x);
+        Vec3 by;
+        scalar touch = 0;
+        walls.forEachContact(i, x, h, [&](int a, const WallContact& contact)
+        {
+            if ((a < walls.surfaces.count ? ofSurface[a] : solid.wall) != wall) return;
+            if (a < walls.surfaces.count) touch = fmax(touch, 1 - fmax(contact.distance, 0) / h);
+            by += of(i, a, x, contact);
+        });
+        if (solid.wall == wall) touch = fmax(touch, 1 - solid.distance / h);
+        if (touch == 0) return {};
+        return reactionOf(placeOf(x), {{by.x, by.y, by.z}}, part == WallReactions::friction ? norm(by) : touch);
+    }
+
+private:
+    struct Nearest
+    {
+        std::uint32_t wall = ~std::uint32_t(0);
+        scalar distance;
+    };
+
+    HOST_DEVICE Nearest nearestSolid(int i, Position x) const
+    {
+        Nearest nearest{~std::uint32_t(0), h};
+        walls.particles.near.forEach(i, [&](int k)
+        {
+            const scalar distance = norm(x - walls.particles.position[k]);
+            if (distance < nearest.distance) nearest = {ofParticle[fileOrder[k]], distance};
+        });
+        return nearest;
+    }
+
+    HOST_DEVICE Vec3 of(int i, int a, Position x, const WallContact& contact) const
+    {
+        const Vec3 n = contact.normal;
+        if (part == WallReactions::pressure) return pressure.size > 0 ? perPressure * pressure[i] * slope(i, a, contact) : Vec3{};
+        const scalar weight = 2 * plane(contact.distance).gradient;
+        if (part == WallReactions::friction)
+        {
+            const Vec3 u = velocity[i] - walls.velocity(a, i, x);
+            return friction * weight / fmax(contact.distance, 0.25f * spacing) * (u - dot(u, n) * n);
+        }
+        if (!hasSurface || surface.isInside(i)) return {};
+        const Vec3 G = surface(i).gradient;
+        const scalar steep = norm(G);
+        const Vec3 m = 1 / fmax(steep, 1e-20f) * G;
+        return tension * steep * weight * (n - dot(n, m) * m);
+    }
+
+    // Of what the wall adds to the density.
+    HOST_DEVICE Vec3 slope(int i, int a, const WallContact& contact) const
+    {
+        const ContactLine line = hasSurface ? surface.contactOf(i) : ContactLine{};
+        const bool meets = a == line.wall;
+        const WedgeIntegrals wedge = extended(line.theta, contact.distance / h, meets ? line.depth / h : 1);
+        Vec3 sum = wedge.normal / h * contact.normal;
+        if (meets) sum += wedge.tangential / h * line.tangent;
+        return sum;
+    }
+};
+
+// Of a Newtonian liquid that walls hold; other models' friction is shared by touch.
+bool wallsHold(const Dictionary& models)
+{
+    const std::string model = models.lookupOr<std::string>("viscosity", "none"), coeffs = model + "Coeffs";
+    return model == "newtonian" && (!models.found(coeffs) || models.subDict(coeffs).lookupOr("noSlip", true));
+}
+
+// The same numbers, on the host.
+struct Sums
+{
+    double of[6] = {}, share = 0;
+
+    Sums() = default;
+    explicit Sums(const Reaction& reaction) : share(valueOf(reaction.share))
+    {
+        for (int c = 0; c < 3; ++c)
+        {
+            of[c] = valueOf(reaction.impulse[c]);
+            of[c + 3] = valueOf(reaction.moment[c]);
+        }
+    }
+
+    void add(const Sums& other, double factor)
+    {
+        for (int c = 0; c < 6; ++c) of[c] += factor * other.of[c];
+    }
+};
+
+}
+
+WallReactions::WallReactions(const std::filesystem::path& casePath, const Liquid& liquid)
+:
+    entries_(WallEntries::read(casePath)), plane_(tabulateHalfSpace(liquid.kernel())), estimates_(entries_.names.size())
+{
+    ofSurface_.upload(entries_.ofSurface);
+    ofParticle_.upload(entries_.ofParticle);
+}
+
+std::string WallReactions::number(const std::string& wall, Part part, int c)
+{
+    const char* const names[] = {"ImpulseX", "ImpulseY", "ImpulseZ", "MomentX", "MomentY", "MomentZ"};
+    return wall + "_" + partNames[part] + names[c];
+}
+
+void WallReactions::begin(const Liquid& liquid, const Models& models, scalar dt)
+{
+    pressure_ = models.pressure->keepPressure();
+    const auto g = models.bodyForce->uniform();
+    const auto scaled = [&](double a) { return double(dt) * liquid.units().toScaled(a, dimensions::acceleration); };
+    before_.add(liquid.owned(), MomentumOf{liquid.position.span(), liquid.velocity.span(), {{scaled(g[0]), scaled(g[1]), scaled(g[2])}}});
+}
+
+void WallReactions::pressed(const Liquid& liquid)
+{
+    pressed_.add(liquid.owned(), MomentumOf{liquid.position.span(), liquid.velocity.span(), {}});
+}
+
+void WallReactions::end(const Liquid& liquid, const Walls& walls, const Models& models, scalar dt)
+{
+    after_.add(liquid.owned(), MomentumOf{liquid.position.span(), liquid.velocity.span(), {}});
+    if (entries_.names.empty()) return;
+    if (const auto angles = walls.contactAngles(models.freeSurface->support()); !extended_ || angles != angles_)
+    {
+        extended_.emplace(liquid.kernel(), angles);
+        angles_ = angles;
+    }
+    const bool hasSurface = models.freeSurface->active();
+    const Units& units = liquid.units();
+    const scalar perDensity = 2 * dt / liquid.restDensity();
+    const scalar sigma = units.toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension);
+    const scalar nu = units.toScaled(liquid.properties().viscosity, dimensions::kinematicViscosity);
+    EstimateAt estimate
+    {
+        .wall = 0, .part = {}, .h = liquid.support(), .spacing = liquid.spacing(), .perPressure = perDensity, .tension = perDensity * sigma,
+        .friction = wallsHold(models.dict) ? dt * nu : 0, .position = liquid.position.span(), .velocity = liquid.velocity.span(),
+        .pressure = pressure_ ? pressure_->span() : Span<const scalar>{}, .walls = walls.view(liquid), .ofSurface = std::as_const(ofSurface_).span(),
+        .ofParticle = std::as_const(ofParticle_).span(), .fileOrder = walls.fileOrder(), .plane = {plane_.span(), liquid.support()},
+        .extended = extended_->view(), .surface = models.freeSurface->view(), .hasSurface = hasSurface
+    };
+    for (std::size_t wall = 0; wall < estimates_.size(); ++wall)
+    {
+        for (int part = 0; part < parts; ++part)
+        {
+            estimate.wall = std::uint32_t(wall);
+            estimate.part = Part(part);
+            estimates_[wall][part].add(liquid.owned(), estimate);
+        }
+    }
+}
+
+void WallReactions::addTo(Liquid& liquid)
+{
+    const auto taken = [&](Accumulator<Reaction>& sums)
+    {
+        sums.ask();
+        return Sums(liquid.parts().fold(sums.take()));
+    };
+    const Sums before = taken(before_), pressed = taken(pressed_), after = taken(after_);
+    Sums rest = before, restOfFriction = pressed;           // what walls got in all, less what is estimated
+    rest.add(pressed, -1);
+    restOfFriction.add(after, -1);
+    std::vector<std::array<Sums, parts>> walls;
+    double touched = 0, rubbed = 0;
+    for (auto& estimates : estimates_)
+    {
+        std::array<Sums, parts>& wall = walls.emplace_back();
+        for (int part = 0; part < parts; ++part) wall[part] = taken(estimates[part]);
+        rest.add(wall[pressure], -1);
+        rest.add(wall[contactLine], -1);
+        restOfFriction.add(wall[friction], -1);
+        touched += wall[pressure].share;
+        rubbed += wall[friction].share;
+    }
+    if (touched == 0) return;
+    const double impulse = liquid.properties().particleMass() * liquid.units().of(dimensions::velocity);
+    for (std::size_t w = 0; w < walls.size(); ++w)
+    {
+        auto& wall = walls[w];
+        const double share = wall[pressure].share / touched;
+        wall[pressure].add(rest, share);
+        wall[friction].add(restOfFriction, rubbed > 0 ? wall[friction].share / rubbed : share);
+        for (int part = 0; part < parts; ++part)
+        {
+            for (int c = 0; c < 6; ++c)
+            {
+                liquid.number(number(entries_.names[w], Part(part), c), 0) += impulse * (c < 3 ? 1 : liquid.units().length) * wall[part].of[c];
+            }
+        }
+    }
+}
+
+}
