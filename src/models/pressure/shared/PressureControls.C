@@ -19,10 +19,10 @@ scalar bulkSquares(const Liquid& liquid)
     );
 }
 
-PressureControls PressureControls::read(const Dictionary& dict, const Liquid& liquid)
+PressureControls PressureControls::read(const Dictionary& dict, const Liquid& liquid, const Usual& usual)
 {
-    PressureControls c{IterationControls::read(dict, {2, 10, 1e-3}), 0, 0};
-    c.relaxation = scalar(dict.lookupOr("relaxation", 0.3));
+    PressureControls c{IterationControls::read(dict, {2, usual.maxIterations, 1e-3}), 0, 0};
+    c.relaxation = scalar(dict.lookupOr("relaxation", usual.relaxation));
     c.epsilon = scalar(dict.lookupOr("epsilon", 1e-3)) * bulkSquares(liquid);
     refuseIf(!(c.relaxation > 0 && c.relaxation < 2), dict, "relaxation", "more than 0 and less than 2");
     refuseIf(!(c.epsilon >= 0), dict, "epsilon", "0 or more");
