@@ -70,7 +70,9 @@ struct QuantiseParticles
 void QuantisedLiquid::ask(const Liquid& liquid, std::size_t limit)
 {
     const int particles = liquid.owned(), shown = int(std::min(limit, std::size_t(particles)));
-    taken_ = {.shown = std::size_t(shown), .particles = std::size_t(particles)};
+    taken_ = {};
+    taken_.shown = std::size_t(shown);
+    taken_.particles = std::size_t(particles);
     length_ = liquid.units().length;
     speed_ = liquid.units().of(dimensions::velocity);
     if (shown == 0) return;
