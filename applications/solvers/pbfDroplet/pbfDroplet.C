@@ -88,7 +88,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         run.keepBalance(near);
 
         step.make(steps, from);
-        flow.moved(steps.dt);
+        if (steps.count > 0) flow.moved(steps.dt);
         interruption = stopWhereSignalled(time, signals, parts);
         const bool densities = time.reportDue() || functions.lookAtDensities(time);
         if (densities) flow.computeDensities();

