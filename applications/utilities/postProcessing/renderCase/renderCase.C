@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Renders times of a case off screen: the liquid's surface as water, or its particles, on their wall.
 
-#include "AnalyticWalls.H"
+#include "WallsOfPicture.H"
 #include "AngleCaption.H"
 #include "CurvedWalls.H"
 #include "FloorPattern.H"

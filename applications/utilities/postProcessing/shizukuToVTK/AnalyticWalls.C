@@ -8,7 +8,7 @@ namespace shizuku
 
 AnalyticWalls::AnalyticWalls(const std::filesystem::path& casePath, const Bounds& about)
 {
-    if (!std::filesystem::exists(casePath/"constant/walls") || !(about.low.x <= about.high.x)) return;
+    if (!std::filesystem::exists(casePath/"constant/walls")) return;
     motions_ = WallMotions::read(casePath);
     for (const AnalyticSurface& surface : readAnalyticSurfaces(Dictionary::read(casePath/"constant/walls")))
     {

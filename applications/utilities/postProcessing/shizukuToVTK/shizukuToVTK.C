@@ -129,7 +129,7 @@ public:
             addSurface(times_[i], index, int(i) % parts_.parts());
             inAllParts(parts_, [&]
             {
-                if (parts_.part() == 0 && !analytic_) analytic_.emplace(case_, firstLiquid());
+                if (parts_.part() == 0 && !analytic_) placeAnalyticWalls(times_[i]);
                 if (solidConverter_) solidConverter_->add(solid_, times_[i], index, spacing_);
                 if (analytic_) analytic_->add(walls_, times_[i].value, index, spacing_);
             });
@@ -139,16 +139,12 @@ public:
     }
 
 private:
-    // Around the liquid of the first time that has some.
-    Bounds firstLiquid() const
+    // Around the liquid of the first time that has some; not before.
+    void placeAnalyticWalls(const TimeFolder& time)
     {
-        for (const TimeFolder& time : times_)
-        {
-            if (!std::filesystem::exists(time.path/"liquid/positions")) continue;
-            const Bounds bounds = boundsOf(readLiquidPositions(time.path));
-            if (bounds.low.x <= bounds.high.x) return bounds;
-        }
-        return {};
+        if (!std::filesystem::exists(time.path/"liquid/positions")) return;
+        const std::vector<Vector3> liquid = readLiquidPositions(time.path);
+        if (!liquid.empty()) analytic_.emplace(case_, boundsOf(liquid));
     }
 
     void addLiquid(const TimeFolder& time, int index)
