@@ -59,7 +59,9 @@ void readDictionaries(Scene& scene, const fs::path& path, const Time& time)
     scene.smoothingPerCapillaryStep =
         models.subDictOrEmpty("XSPHCoeffs").lookupOr("perCapillaryStep", scene.surfaceTension > 0 ? defaultsOfXSPH.perCapillaryStep : 0);
     scene.support = solution.subDictOrEmpty("kernel").lookupOr("support", 2.0);
-    scene.maxIterations = solution.subDictOrEmpty("pressure").lookupOr("maxIterations", 10);       // the solver's default
+    const bool isCompleted = scene.models.at("pressure") == "completedPbf";         // the solver's defaults
+    scene.maxIterations = solution.subDictOrEmpty("pressure").lookupOr("maxIterations", isCompleted ? 6 : 10);
+    scene.relaxation = solution.subDictOrEmpty("pressure").lookupOr("relaxation", isCompleted ? 0.5 : 0.3);
     scene.coarseGrid = solution.subDictOrEmpty("pressure").lookupOr("coarseGrid", false);
     scene.refillable = fs::exists(path/"system/fillLiquidDict");
 }

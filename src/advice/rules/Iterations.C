@@ -2,7 +2,7 @@
 // How many pressure iterations a sub-step does a drop at rest need?
 //
 // pressure/maxIterations: the fewest from which on the stored study (doc/studies/iterations-runs.csv, sessile drops) has
-// the angle and the volume within the tolerance. Of liquid that moves fast nothing is stored: from We = 0.1 on it is left as
+// the angle and the volume within the tolerance. The study is of corrections of 0.3 (pressure/relaxation). Of liquid that moves fast nothing is stored: from We = 0.1 on it is left as
 // it is.
 
 #include "advice/Rule.H"
@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr double fastest = 0.1;             // We
+constexpr double relaxationOfStudy = 0.3;
 
 class Iterations : public AdviceRule
 {
@@ -30,7 +31,7 @@ public:
         {
             return flowNumbers(scene.scales(body)).weber > fastest;
         });
-        const bool studied = set && set->name == "default" && answer.scene == "sessile" && !fast;
+        const bool studied = set && set->name == "default" && answer.scene == "sessile" && !fast && scene.relaxation == relaxationOfStudy;
         if (!studied) return std::nullopt;
 
         const double n = scene.particles(scene.smallest());

@@ -262,6 +262,9 @@ TEST_F(RuleTest, IterationsOfADropAtRest)
     EXPECT_EQ(changes(ask("iterations", volume(2000)*(1 - close))), "pressure/maxIterations=4");
     fill(5000);
     EXPECT_TRUE(holds(ask("iterations", 0.031)->reason, {"no stored study tells of drops of 5000 particles"}));
+    scene_.relaxation = 0.5;                                               // not that of the study
+    EXPECT_EQ(changes(ask("iterations", 0.031)), "no advice");
+    scene_.relaxation = 0.3;
     fill(1000, 1);
     ASSERT_GT(1000*diameter()/0.07, 0.1);
     EXPECT_EQ(changes(ask("iterations", 0.031)), "no advice");
