@@ -36,6 +36,12 @@ std::filesystem::path stateFile(const std::filesystem::path& timeFolder)
 
 const std::string countedWrites = "executeControlWrites";
 
+template<class Entries>
+bool any(const Entries& entries, bool (FunctionObject::*looks)() const)
+{
+    return std::any_of(entries.begin(), entries.end(), [&](const auto& entry) { return (*entry.object.*looks)(); });
+}
+
 void writeState(std::ostream& stream, const std::string& name, const KeptNumbers& state)
 {
     stream << name << "\n{\n";
@@ -134,15 +140,8 @@ bool FunctionObjects::lookAtParticles(const Time& time) const { return anyDue(ti
 bool FunctionObjects::lookAtSurface(const Time& time) const { return anyDue(time, &FunctionObject::looksAtSurface); }
 bool FunctionObjects::lookAtWholeSurface(const Time& time) const { return anyDue(time, &FunctionObject::looksAtWholeSurface); }
 
-bool FunctionObjects::lookAtViscousWork() const
-{
-    return std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.object->looksAtViscousWork(); });
-}
-
-bool FunctionObjects::lookAtWallReactions() const
-{
-    return std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.object->looksAtWallReactions(); });
-}
+bool FunctionObjects::lookAtViscousWork() const { return any(entries_, &FunctionObject::looksAtViscousWork); }
+bool FunctionObjects::lookAtWallReactions() const { return any(entries_, &FunctionObject::looksAtWallReactions); }
 
 void FunctionObjects::execute(FlowView& flow)
 {
