@@ -14,6 +14,7 @@
 #include "meshes/NearestPoint.H"
 #include "meshes/ObjFile.H"
 #include "meshes/StlFile.H"
+#include "models/pressure/shared/UsualIterations.H"
 #include "models/smoothing/SmoothingShare.H"
 #include "thetaModels/ContactAngleLaw.H"
 
@@ -59,9 +60,9 @@ void readDictionaries(Scene& scene, const fs::path& path, const Time& time)
     scene.smoothingPerCapillaryStep =
         models.subDictOrEmpty("XSPHCoeffs").lookupOr("perCapillaryStep", scene.surfaceTension > 0 ? defaultsOfXSPH.perCapillaryStep : 0);
     scene.support = solution.subDictOrEmpty("kernel").lookupOr("support", 2.0);
-    const bool isCompleted = scene.models.at("pressure") == "completedPbf";         // the solver's defaults
-    scene.maxIterations = solution.subDictOrEmpty("pressure").lookupOr("maxIterations", isCompleted ? 6 : 10);
-    scene.relaxation = solution.subDictOrEmpty("pressure").lookupOr("relaxation", isCompleted ? 0.5 : 0.3);
+    const UsualIterations& usual = scene.models.at("pressure") == "completedPbf" ? usualOfCompletedPbf : usualOfPbf;
+    scene.maxIterations = solution.subDictOrEmpty("pressure").lookupOr("maxIterations", usual.maxIterations);
+    scene.relaxation = solution.subDictOrEmpty("pressure").lookupOr("relaxation", usual.relaxation);
     scene.coarseGrid = solution.subDictOrEmpty("pressure").lookupOr("coarseGrid", false);
     scene.refillable = fs::exists(path/"system/fillLiquidDict");
 }

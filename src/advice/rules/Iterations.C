@@ -2,8 +2,8 @@
 // How many pressure iterations a sub-step does a drop at rest need?
 //
 // pressure/maxIterations: the fewest from which on the stored study (doc/studies/iterations-runs.csv, sessile drops) has
-// the angle and the volume within the tolerance. The study is of corrections of 0.3 (pressure/relaxation). Of liquid that moves fast nothing is stored: from We = 0.1 on it is left as
-// it is.
+// the angle and the volume within the tolerance. The study is of corrections of 0.3 (pressure/relaxation). Of liquid that
+// moves fast nothing is stored: from We = 0.1 on it is left as it is.
 
 #include "advice/Rule.H"
 

@@ -157,7 +157,7 @@ class CompletedPbf : public Pressure
 public:
     CompletedPbf(const Dictionary& controls, Liquid& liquid, const Walls&, FreeSurface& surface)
     :
-        controls_(PressureControls::read(controls, liquid, {.relaxation = 0.5, .maxIterations = 6})),
+        controls_(PressureControls::read(controls, liquid, usualOfCompletedPbf)),
         ordering_(scalar(controls.lookupOr("ordering", 1.2))),
         orderRemoved_(scalar(controls.lookupOr("orderRemoved", 1.0))),
         limits_(controls_),

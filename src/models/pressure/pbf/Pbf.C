@@ -99,7 +99,7 @@ class Pbf : public Pressure
 public:
     Pbf(const Dictionary& dict, Liquid& liquid, const Walls&, FreeSurface&)
     :
-        controls_(PressureControls::read(dict, liquid, {.relaxation = 0.3, .maxIterations = 10})),
+        controls_(PressureControls::read(dict, liquid, usualOfPbf)),
         selfGradient_(dict.lookupOr("selfGradient", true)),
         unilateral_(dict.lookupOr("unilateral", true)),
         fields_(liquid.fields()),

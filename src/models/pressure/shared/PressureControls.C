@@ -19,7 +19,7 @@ scalar bulkSquares(const Liquid& liquid)
     );
 }
 
-PressureControls PressureControls::read(const Dictionary& dict, const Liquid& liquid, const Usual& usual)
+PressureControls PressureControls::read(const Dictionary& dict, const Liquid& liquid, const UsualIterations& usual)
 {
     PressureControls c{IterationControls::read(dict, {2, usual.maxIterations, 1e-3}), 0, 0};
     c.relaxation = scalar(dict.lookupOr("relaxation", usual.relaxation));
