@@ -28,6 +28,7 @@ set(SHIZUKU_DEVICE_SOURCES
     freeSurface/ExtendedLiquid.C
     freeSurface/FreeSurface.C
     freeSurface/HeldLine.C
+    freeSurface/SampledEdges.C
     outlets/BoxOutlet.C
     outlets/Outlets.C
     outlets/PlaneOutlet.C

@@ -77,6 +77,7 @@ set(SHIZUKU_DEVICE_TESTS
     surface/TestLiquidSurface.C
     surface/TestMarchingCubesTable.C
     surface/TestPencil.C
+    walls/TestConvexEdges.C
     walls/TestHalfSpace.C
     walls/TestMovingWalls.C
     walls/TestWallSurface.C

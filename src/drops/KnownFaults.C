@@ -17,27 +17,18 @@ namespace shizuku
 namespace
 {
 
-using Kind = SharpPair::Kind;
-
 constexpr double reach = 1.3;               // spacings between the particles of two sides
-constexpr double turned = 0.5;              // cosine of 60 degrees: normals of an edge's sides
 constexpr double narrow = -0.35;            // cosine of 110 degrees: of a groove's sides, which opens by 70 degrees
-constexpr double sharpest = 1.2;            // spacings: radius of an edge. Round mouths of 1.35 spacings are calm
-constexpr double layer = 0.5;               // spacings from the surface to its particles, behind it
 constexpr double filled = 1;                // spacings from a place in liquid to the nearest of its particles: 0.87 in a lattice
 constexpr std::size_t enough = 3;           // particles: fewer are chance in a layer that is bent
 
-// Nothing where the particles are of one side. `apart`: from the other particle, spacings.
-std::optional<Kind> kindOf(const Vector3& apart, const Vector3& normal, const Vector3& otherNormal)
+// apart: from the other particle.
+bool isGroove(const Vector3& apart, const Vector3& normal, const Vector3& otherNormal)
 {
-    const double cosine = std::clamp(dot(normal, otherNormal), -1.0, 1.0);
-    const bool convex = dot(apart, normal - otherNormal) >= 0;
-    if (!convex) return cosine < narrow ? std::optional(Kind::groove) : std::nullopt;
-    if (cosine > turned || layer + length(apart)/std::acos(cosine) > sharpest) return std::nullopt;
-    return Kind::edge;
+    return dot(normal, otherNormal) < narrow && dot(apart, normal - otherNormal) < 0;
 }
 
-// Is there liquid in front of both sides, and between them?
+// Is there liquid between both sides?
 class Surroundings
 {
 public:
@@ -45,22 +36,15 @@ public:
     : solid_(solid), liquid_(spacing, liquid), spacing_(spacing)
     {}
 
-    bool hold(const SharpPair& place) const
+    bool hold(const GroovePair& place) const
     {
-        const Vector3& normal = solid_.normals[place.particle];
-        const Vector3& other = solid_.normals[place.other];
-        const Vector3 between = normal + other;
-        const double far = place.kind == Kind::edge ? 1.5 : 2;          // spacings, out of the corner of the surface
-        return has(place.particle, between, far) && (place.kind == Kind::groove || (has(place.particle, normal, 1) && has(place.other, other, 1)));
+        constexpr double far = 2;               // spacings, out of the corner of the surface
+        const Vector3 between = solid_.normals[place.particle] + solid_.normals[place.other];
+        if (squaredLength(between) == 0) return false;
+        return liquid_.anyWithin(solid_.positions[place.particle] + far*spacing_*normalized(between), filled*spacing_);
     }
 
 private:
-    bool has(std::size_t particle, const Vector3& direction, double distance) const
-    {
-        if (squaredLength(direction) == 0) return false;
-        return liquid_.anyWithin(solid_.positions[particle] + distance*spacing_*normalized(direction), filled*spacing_);
-    }
-
     const SolidParticles& solid_;
     PointGrid liquid_;
     double spacing_;
@@ -82,17 +66,6 @@ std::string namesOf(const std::vector<std::string>& names)
     return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more" : text;
 }
 
-std::string sentenceOf(Kind kind, const std::string& patches, const std::string& places)
-{
-    if (kind == Kind::edge)
-    {
-        return "The liquid surrounds sharp edges of " + patches + " (" + places + "). Known fault: they drive a flow that does not stop, and a tube with square edges fills by itself\n"
-               "    Expected: edges rounded by two spacings or more (doc/guide/limits.md)";
-    }
-    return "The liquid is in narrow grooves of " + patches + " (" + places + "). Known fault: they can keep single particles moving\n"
-           "    Expected: grooves rounded by two spacings or more (doc/guide/limits.md)";
-}
-
 // Liquid within a spacing of two neighbouring sides of the box.
 bool isInEdge(const Vector3& x, const AnalyticSurface& box, int up, double spacing)
 {
@@ -110,30 +83,31 @@ bool hasTension(const std::filesystem::path& casePath)
     return isThere(file) && Dictionary::read(file).lookupOr<std::string>("surfaceTension", "none") != "none";
 }
 
-void lookAtSharpPlaces
+void lookAtGrooves
 (
     const std::filesystem::path& casePath, const SolidParticles& solid, const std::vector<Vector3>& liquid, double spacing, std::vector<Suspect>& suspects
 )
 {
-    const std::vector<SharpPair> places = findSharpPairs(solid, spacing);
+    const std::vector<GroovePair> places = findGrooves(solid, spacing);
     if (places.empty() || liquid.empty()) return;
     const Surroundings around(solid, liquid, spacing);
-    for (const Kind kind : {Kind::edge, Kind::groove})
+    std::vector<std::size_t> wet;
+    std::set<int> patches;
+    for (const GroovePair& place : places)
     {
-        std::vector<std::size_t> wet;
-        std::set<int> patches;
-        for (const SharpPair& place : places)
-        {
-            if (place.kind != kind || !around.hold(place)) continue;
-            wet.push_back(place.particle);
-            patches.insert(solid.patch[place.particle]);
-        }
-        if (wet.size() < enough) continue;
-        std::vector<std::string> names;
-        for (const int patch : patches) names.push_back(solid.patches[patch]);
-        const std::string text = sentenceOf(kind, namesOf(names), placesOf(wet.size(), solid.positions[wet.front()]));
-        suspects.push_back({text, {(casePath/"constant/walls").string(), 0}});
+        if (!around.hold(place)) continue;
+        wet.push_back(place.particle);
+        patches.insert(solid.patch[place.particle]);
     }
+    if (wet.size() < enough) return;
+    std::vector<std::string> names;
+    for (const int patch : patches) names.push_back(solid.patches[patch]);
+    suspects.push_back
+    ({
+        "The liquid is in narrow grooves of " + namesOf(names) + " (" + placesOf(wet.size(), solid.positions[wet.front()]) + "). Known fault: they can keep single particles moving\n"
+        "    Expected: grooves rounded by two spacings or more (doc/guide/limits.md)",
+        {(casePath/"constant/walls").string(), 0}
+    });
 }
 
 void lookAtCorners
@@ -165,27 +139,25 @@ void lookAtCorners
 
 }
 
-std::vector<SharpPair> findSharpPairs(const SolidParticles& solid, double spacing)
+std::vector<GroovePair> findGrooves(const SolidParticles& solid, double spacing)
 {
-    std::vector<SharpPair> places;
+    std::vector<GroovePair> places;
     const PointGrid grid(reach*spacing, solid.positions);
     for (std::size_t i = 0; i < solid.positions.size(); ++i)
     {
-        std::optional<SharpPair> found;
+        std::optional<GroovePair> found;
         grid.forEachWithin(solid.positions[i], reach*spacing, [&](int j, double)
         {
-            if (found) return;
-            const auto kind = kindOf((solid.positions[i] - solid.positions[j])/spacing, solid.normals[i], solid.normals[j]);
-            if (kind) found = SharpPair{*kind, i, std::size_t(j)};
+            if (!found && isGroove(solid.positions[i] - solid.positions[j], solid.normals[i], solid.normals[j])) found = GroovePair{i, std::size_t(j)};
         });
         if (found) places.push_back(*found);
     }
     return places;
 }
 
-std::string describeSharpPlaces(const SolidParticles& solid, double spacing)
+std::string describeGrooves(const SolidParticles& solid, double spacing)
 {
-    const std::vector<SharpPair> places = findSharpPairs(solid, spacing);
+    const std::vector<GroovePair> places = findGrooves(solid, spacing);
     if (places.size() < enough) return "";
     return placesOf(places.size(), solid.positions[places.front().particle]);
 }
@@ -197,7 +169,7 @@ std::vector<Suspect> knownFaults
 {
     std::vector<Suspect> suspects;
     if (!hasTension(casePath)) return suspects;
-    lookAtSharpPlaces(casePath, solid, liquid, spacing, suspects);
+    lookAtGrooves(casePath, solid, liquid, spacing, suspects);
     lookAtCorners(casePath, walls, liquid, spacing, suspects);
     return suspects;
 }

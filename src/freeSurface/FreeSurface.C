@@ -109,9 +109,13 @@ struct Reconstruct
         const Position xi = x[i];
         Vec3 G = gradient[k];
         scalar colour = G.w;
-        const ContactLine line = findContactLine(i, xi, colour, G, team);
         const WallContribution& completion = findContactLine.completion;
-        const auto wall = completion(i, xi, line, team);
+        // Liquid on the other side of an edge is behind the tangent plane, where the wall's extension is.
+        const auto beyond = completion.beyondEdges(i, xi);
+        colour += beyond.value;
+        G += beyond.gradient;
+        const ContactLine line = findContactLine(i, xi, colour, G, team);
+        const auto wall = completion.ofPlanes(i, xi, line, team);
         if (!team.first()) return;
         colour += wall.value;
         G += wall.gradient;
@@ -221,6 +225,7 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
     if (!active()) return;
     makeRoom();
     if (!extended_) extended_.emplace(*kernel_, walls.contactAngles(kernel_->h));
+    if (!edges_) edges_.emplace(*kernel_, liquid.kernel(), liquid.spacing());
     constexpr scalar oneSided = 0.225f;         // of the support; 0.375 for all of a half-space
     Buffer<std::uint8_t> isExposed(liquid.all()), isNear(liquid.all());
     forEachTeam(liquid.owned(), FindExposed
@@ -262,7 +267,7 @@ void FreeSurface::reconstruct(const Liquid& liquid, const Neighbourhood& near, c
     }
     forEachTeam(particles_, Reconstruct
     {
-        liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view(liquid)}, plane(), steepest_, held_ ? held_->span() : Span<const scalar>{}},
+        liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view(liquid), edges_->view()}, plane(), steepest_, held_ ? held_->span() : Span<const scalar>{}},
         depthOfRatio_.span(), largestRatio_, suction_, particles_.before.span(), gradient_.span(), depth_.span(), position_.span(),
         foundContact_ ? contact_.span() : Span<ContactLine>{}, anyContact_.span()
     });

@@ -4,6 +4,7 @@
 #include "device/ForEach.H"
 #include "neighbours/MarkRows.H"
 #include "particles/ParticleFiles.H"
+#include "walls/ConvexEdges.H"
 
 #include <algorithm>
 #include <cmath>
@@ -99,6 +100,7 @@ void SampledLayer::read(const Liquid& liquid)
     order_.upload(order);
     sort(liquid, liquid.support(), liquid.support());
     computeVirtualVolumes(liquid);
+    findEdges(liquid);
 }
 
 void SampledLayer::sort(const Liquid& liquid, scalar support, scalar reach)
@@ -131,6 +133,7 @@ void SampledLayer::setBodies(const std::vector<int>& bodies, const Liquid& liqui
     moving_->position.upload(position_.download());
     moving_->normal.upload(normal_.download());
     computeVirtualVolumes(liquid);
+    findEdges(liquid);
 }
 
 void SampledLayer::move(const WallBodies& bodies)
@@ -184,11 +187,21 @@ void SampledLayer::computeVirtualVolumes(const Liquid& liquid)
     (
         [&]<class Kernel>(const Kernel& W)
         {
-            const Span<const std::uint32_t> body = moving_ ? std::as_const(moving_->body).span() : Span<const std::uint32_t>{};
-            forEach(solid_.all(), VirtualVolume<Kernel>{W, grid_->view(), position_.span(), body, volume_.span()});
+            forEach(solid_.all(), VirtualVolume<Kernel>{W, grid_->view(), position_.span(), bodies(), volume_.span()});
         },
         liquid.kernel()
     );
+}
+
+// They turn with their particles, so they are found once.
+void SampledLayer::findEdges(const Liquid& liquid)
+{
+    Buffer<scalar> sharpness(solid_.all());
+    forEach(solid_.all(), FindConvexEdges{liquid.spacing(), grid_->view(), position_.span(), normal_.span(), bodies(), sharpness.span()});
+    const std::vector<scalar> values = sharpness.download();
+    if (!sharpness_ && std::all_of(values.begin(), values.end(), [](scalar s) { return s == 0; })) return;
+    if (!sharpness_) sharpness_ = &solid_.fields().add<scalar>({.name = "edge", .dimensions = dimensions::none});
+    sharpness_->upload(values);
 }
 
 void SampledLayer::constrain(WallConstraints& constraints) const
@@ -203,7 +216,7 @@ void SampledLayer::usePlanes(const Liquid& liquid, scalar reach)
     // From the layer, half a spacing inside of the solid, with room for the patch that gives the plane.
     const scalar wanted = reach > 0 ? reach + 1.5f * liquid.spacing() : 0;
     // Particles move, by less than half a spacing, after the lists are made.
-    if (wanted > liquid.support()) sort(liquid, liquid.support() + 0.5f * liquid.spacing(), wanted);
+    if (wanted > liquid.support()) sort(liquid, std::max(liquid.support(), sharpness_ ? reach + 0.5f * liquid.spacing() : 0) + 0.5f * liquid.spacing(), wanted);
     else sort(liquid, liquid.support(), liquid.support());
     if (reach > 0) planes_.emplace(grid_->view(), reach_, moving_.has_value());
 }
@@ -237,7 +250,7 @@ void SampledLayer::lengthen(const Liquid& liquid)
 
 void SampledLayer::fitPlanes(const Liquid& liquid)
 {
-    if (planes_) planes_->fit(liquid, grid_->view(), view(), velocities(), near_->support());
+    if (planes_) planes_->fit(liquid, grid_->view(), view(), {velocities(), sharpness_ ? std::as_const(*sharpness_).span() : Span<const scalar>{}}, near_->support());
 }
 
 WallParticlesView SampledLayer::view() const

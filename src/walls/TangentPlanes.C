@@ -2,6 +2,7 @@
 #include "walls/TangentPlanes.H"
 
 #include "device/ForEach.H"
+#include "walls/ConvexEdges.H"
 
 namespace shizuku
 {
@@ -125,7 +126,7 @@ TangentPlanes::TangentPlanes(const CellGridView& grid, scalar reach, bool moves)
     forEach(around_.size(), FindAround{grid, reach > grid.cellSize ? 2 : 1, around_.span()});
 }
 
-void TangentPlanes::fit(const Liquid& liquid, const CellGridView& grid, const WallParticlesView& solid, Span<const Vec3> velocity, scalar listed)
+void TangentPlanes::fit(const Liquid& liquid, const CellGridView& grid, const WallParticlesView& solid, const SolidAtPlanes& more, scalar listed)
 {
     normal_.resizeDiscarding(liquid.all());
     point_.resizeDiscarding(liquid.all());
@@ -138,8 +139,10 @@ void TangentPlanes::fit(const Liquid& liquid, const CellGridView& grid, const Wa
             normal_.span(), point_.span(), mean
         });
     };
-    if (moves_) fitWith(MeanVelocity{velocity, velocity_.span()});
+    if (moves_) fitWith(MeanVelocity{more.velocity, velocity_.span()});
     else fitWith(NoVelocity{});
+    edge_.resizeDiscarding(more.sharpness.size > 0 ? liquid.all() : 0);
+    if (more.sharpness.size > 0) forEach(liquid.owned(), FindPartsOfEdges{listed, liquid.predicted.span(), solid, more.sharpness, edge_.span()});
 }
 
 }

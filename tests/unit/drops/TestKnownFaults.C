@@ -30,31 +30,6 @@ struct Layer : SolidParticles
     }
 };
 
-// Two faces that meet along y, each 6 spacings wide: the top z = 0, x < 0, and a side that is turned from it by `turn` degrees. The edge is rounded with that radius.
-Layer edge(double turn, double radius)
-{
-    Layer layer;
-    const double angle = turn*std::numbers::pi/180, back = radius*std::tan(angle/2);
-    const Vector3 centre(-back, 0, -radius), normal(std::sin(angle), 0, std::cos(angle)), down(std::cos(angle), 0, -std::sin(angle));
-    const int arc = int(std::ceil(angle*std::max(radius - 0.5, 0.0)));
-    for (double y = -5; y <= 5; ++y)
-    {
-        const Vector3 along(0, y, 0);
-        for (int i = 0; i < 6; ++i)
-        {
-            layer.add(along + Vector3(-back - 0.5 - i, 0, 0), {0, 0, 1});
-            layer.add(along + (back + 0.5 + i)*down, normal);
-        }
-        for (int i = 0; i < arc; ++i)
-        {
-            const double at = angle*(i + 0.5)/arc;
-            const Vector3 outwards(std::sin(at), 0, std::cos(at));
-            layer.add(along + centre + radius*outwards, outwards);
-        }
-    }
-    return layer;
-}
-
 // Two faces that open upwards from a line along y by `opening` degrees.
 Layer groove(double opening)
 {
@@ -88,13 +63,6 @@ std::vector<Vector3> liquidWhere(const Holds& holds)
     return places;
 }
 
-std::size_t count(const SolidParticles& solid, SharpPair::Kind kind)
-{
-    std::size_t number = 0;
-    for (const SharpPair& place : findSharpPairs(solid, d)) number += place.kind == kind;
-    return number;
-}
-
 std::vector<std::string> said
 (
     const SolidParticles& solid, const std::vector<Vector3>& liquid, const std::string& walls = "block { type particles; }",
@@ -112,42 +80,13 @@ std::vector<std::string> said
     return texts;
 }
 
-constexpr auto edgeOf = SharpPair::Kind::edge;
-constexpr auto grooveOf = SharpPair::Kind::groove;
-
-}
-
-// Both layers meet in a row of 11 particles of each face. The next row of each face is a spacing away from it, and counts too.
-TEST(KnownFaults, EdgesAreSharpBelowTheRadiusThatIsCalm)
-{
-    EXPECT_EQ(count(edge(90, 0), edgeOf), 44u);
-    EXPECT_GT(count(edge(120, 0), edgeOf), 0u);
-    EXPECT_EQ(count(edge(45, 0), edgeOf), 0u);
-    EXPECT_GT(count(edge(90, 0.5), edgeOf), 0u);
-    EXPECT_EQ(count(edge(90, 1.5), edgeOf), 0u);
-    EXPECT_EQ(count(edge(90, 2), edgeOf), 0u);
-    EXPECT_EQ(count(edge(0, 0), edgeOf), 0u);
-    EXPECT_EQ(count(edge(90, 0), grooveOf), 0u);
 }
 
 TEST(KnownFaults, CornersThatOpenWidelyAreNoGrooves)
 {
-    EXPECT_GT(count(groove(50), grooveOf), 0u);
-    EXPECT_EQ(count(groove(90), grooveOf), 0u);
-    EXPECT_EQ(count(groove(50), edgeOf), 0u);
-}
-
-TEST(KnownFaults, AnEdgeCountsWhereLiquidIsOnBothOfItsSides)
-{
-    const auto outside = [](const Vector3& x) { return x.x > 0 || x.z > 0; };
-    const auto above = [](const Vector3& x) { return x.x < 0 && x.z > 0; };
-    const auto texts = said(edge(90, 0), liquidWhere(outside));
-    ASSERT_EQ(texts.size(), 1u);
-    EXPECT_TRUE(holds(texts.front(), {"surrounds sharp edges of 'block' (44 solid particles", "Known fault", "rounded by two spacings"}));
-    EXPECT_TRUE(said(edge(90, 0), liquidWhere(above)).empty());         // a drop that ends at the edge
-    EXPECT_TRUE(said(edge(90, 2), liquidWhere(outside)).empty());
-    EXPECT_TRUE(said(edge(90, 0), {}).empty());
-    EXPECT_TRUE(said(edge(90, 0), liquidWhere(outside), "block { type particles; }", "surfaceTension none;").empty());
+    EXPECT_GT(findGrooves(groove(50), d).size(), 0u);
+    EXPECT_EQ(findGrooves(groove(90), d).size(), 0u);
+    EXPECT_EQ(findGrooves(groove(260), d).size(), 0u);      // an edge
 }
 
 TEST(KnownFaults, AGrooveCountsWhereLiquidIsInIt)
@@ -157,6 +96,8 @@ TEST(KnownFaults, AGrooveCountsWhereLiquidIsInIt)
     ASSERT_EQ(texts.size(), 1u);
     EXPECT_TRUE(holds(texts.front(), {"narrow grooves of 'block'", "Known fault"}));
     EXPECT_TRUE(said(groove(50), liquidWhere([](const Vector3& x) { return x.z > 6; })).empty());
+    EXPECT_TRUE(said(groove(50), {}).empty());
+    EXPECT_TRUE(said(groove(50), liquidWhere(inside), "block { type particles; }", "surfaceTension none;").empty());
 }
 
 TEST(KnownFaults, BoxesWithLiquidInTheirVerticalEdges)
@@ -170,10 +111,10 @@ TEST(KnownFaults, BoxesWithLiquidInTheirVerticalEdges)
     EXPECT_TRUE(said(Layer(), all, tank, "surfaceTension laplacePressure;").empty());      // no gravity
 }
 
-TEST(KnownFaults, SharpPlacesOfALayerAreDescribed)
+TEST(KnownFaults, GroovesOfALayerAreDescribed)
 {
-    EXPECT_TRUE(holds(describeSharpPlaces(edge(90, 0), d), {"44 solid particles, the first at"}));
-    EXPECT_EQ(describeSharpPlaces(edge(90, 2), d), "");
+    EXPECT_TRUE(holds(describeGrooves(groove(50), d), {"solid particles, the first at"}));
+    EXPECT_EQ(describeGrooves(groove(90), d), "");
 }
 
 }

@@ -83,13 +83,13 @@ void report(const std::string& wall, const LayerQuality& quality, double spacing
         << "    density variation  " << 100*quality.densityVariation << " %\n";
 }
 
-// Most scenes have no liquid on both sides of them: checkCase and the solver warn of those that have.
-void reportSharpPlaces(const SolidParticles& layer, double spacing)
+// Most scenes have no liquid in them: checkCase and the solver warn of those that have.
+void reportGrooves(const SolidParticles& layer, double spacing)
 {
-    const std::string places = describeSharpPlaces(layer, spacing);
+    const std::string places = describeGrooves(layer, spacing);
     if (places.empty()) return;
-    std::cout << "    sharp edges, grooves " << places << "\n"
-              << "                       Where liquid surrounds them, round them by two spacings: they would drive a flow that does not stop (doc/guide/limits.md)\n";
+    std::cout << "    narrow grooves     " << places << "\n"
+              << "                       Where liquid is in them, round them by two spacings: they can keep single particles moving (doc/guide/limits.md)\n";
 }
 
 // Contact angles are given by the name of a patch, so a name must mean one patch.
@@ -123,7 +123,7 @@ void run(const Arguments& args)
         const RepairedSurface surface = loadSurface(wall, parameters.spacing);
         const SampledSurface sampled = sampleSurface(surface.surface, parameters, "Sampling " + wall.file.filename().string());
         report(wall.name, sampled.quality, parameters.spacing);
-        reportSharpPlaces(sampled.particles, parameters.spacing);
+        reportGrooves(sampled.particles, parameters.spacing);
         refuseSharedPatches(solid, sampled.particles, wall);
         solid.append(sampled.particles);
         solid.marks.push_back(SurfaceMark::of(wall));

@@ -194,6 +194,7 @@ public:
         if (!extended_)
         {
             extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
+            edges_.emplace(liquid.kernel(), liquid.kernel(), liquid.spacing());
             oneAngle_ = walls.oneContactAngle();
         }
         push_.resizeDiscarding(liquid.all());
@@ -281,7 +282,7 @@ private:
                 {
                     .W = W, .volume = V, .densityVolume = V / liquid.latticeSum(), .ordering = ordering_, .relaxation = controls_.relaxation,
                     .epsilon = controls_.epsilon, .perPressure = dt_ * dt_ / liquid.restDensity(), .x = liquid.predicted.span(), .near = near.view(),
-                    .walls = {extended_->view(), W.h, walls.view(liquid)}, .surface = surface_.view(), .plane = {plane_.span(), W.h},
+                    .walls = {extended_->view(), W.h, walls.view(liquid), edges_->view()}, .surface = surface_.view(), .plane = {plane_.span(), W.h},
                     .pressure = std::as_const(pressure_).span(), .density = liquid.density.span(), .push = push_.span(), .order = order_.span(),
                     .stress = stress, .tangential = tangential
                 }, read, made);
@@ -340,6 +341,7 @@ private:
     scalar dt_ = 0;
     int iterations_ = 0;
     std::optional<ExtendedLiquid> extended_;
+    std::optional<SampledEdges> edges_;
     bool oneAngle_ = false;
     std::optional<bool> givenAlongSurfaces_;
     bool alongSurfaces_ = false;            // in this step
