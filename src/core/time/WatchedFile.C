@@ -10,10 +10,6 @@ WatchedFile::WatchedFile(std::filesystem::path file) : path_(std::move(file)), l
 
 bool WatchedFile::changed()
 {
-    constexpr std::chrono::milliseconds pause(10);
-    const auto clock = std::chrono::steady_clock::now();
-    if (clock - looked_ < pause) return false;
-    looked_ = clock;
     const Stamp now = stamp();
     if (now == Stamp{} || now == last_) return false;
     last_ = now;

@@ -3,35 +3,21 @@
 
 #include "unit/core/TimedCase.H"
 
-#include <thread>
-
 using namespace shizuku;
 using namespace shizuku::test;
-
-namespace
-{
-
-// A file is looked at every 10 ms (core/time/WatchedFile.H).
-bool readLater(Time& time)
-{
-    std::this_thread::sleep_for(std::chrono::milliseconds(11));
-    return time.readIfModified();
-}
-
-}
 
 TEST(TimeChanges, ActsOnAChangedControlDict)
 {
     const TimedCase folder("runTimeModifiable yes; " + tenSteps);
     Time time(folder.path());
-    EXPECT_FALSE(readLater(time));
+    EXPECT_FALSE(time.readIfModified());
     for (int i = 0; i < 3; ++i) time.advance();
 
     folder.control("runTimeModifiable yes; endTime 0.6; deltaT 0.05; writeInterval 4; writeFormat binary;");
     testing::internal::CaptureStdout();
-    EXPECT_TRUE(readLater(time));
+    EXPECT_TRUE(time.readIfModified());
     EXPECT_TRUE(holds(testing::internal::GetCapturedStdout(), {"controlDict", "anew"}));
-    EXPECT_FALSE(readLater(time));
+    EXPECT_FALSE(time.readIfModified());
     EXPECT_EQ(time.endTime(), 0.6);
     EXPECT_TRUE(time.format().binary);
     time.advance();
@@ -49,7 +35,7 @@ TEST(TimeChanges, StopsWhenTheChangedControlDictSaysSo)
         Time time(folder.path());
         for (int i = 0; i < 3; ++i) time.advance();
         folder.control("runTimeModifiable yes; stopAt " + stopAt + "; " + tenSteps);
-        EXPECT_TRUE(readLater(time));
+        EXPECT_TRUE(time.readIfModified());
         EXPECT_EQ(folder.run(time), expected) << stopAt;
     }
 }
@@ -63,16 +49,16 @@ TEST(TimeChanges, AMalformedChangeLeavesTheFormerValues)
     {
         folder.control(bad);
         testing::internal::CaptureStderr();
-        EXPECT_FALSE(readLater(time));
+        EXPECT_FALSE(time.readIfModified());
         EXPECT_TRUE(holds(testing::internal::GetCapturedStderr(), {"WARNING", "deltaT", "former values"}));
-        EXPECT_FALSE(readLater(time));        // warned once
+        EXPECT_FALSE(time.readIfModified());        // warned once
         EXPECT_EQ(time.endTime(), 1);
         EXPECT_EQ(time.deltaT(), 0.1);
     }
     std::filesystem::remove(folder.path() / "system/controlDict");
-    EXPECT_FALSE(readLater(time));
+    EXPECT_FALSE(time.readIfModified());
     folder.control("runTimeModifiable yes; endTime 2; deltaT 0.1; writeInterval 5;");
-    EXPECT_TRUE(readLater(time));
+    EXPECT_TRUE(time.readIfModified());
     EXPECT_EQ(time.endTime(), 2);
 }
 
@@ -81,7 +67,7 @@ TEST(TimeChanges, LeavesAChangedControlDictAloneUnlessModifiable)
     const TimedCase folder(tenSteps);
     Time time(folder.path());
     folder.control("endTime 2; deltaT 0.1; writeInterval 5;");
-    EXPECT_FALSE(readLater(time));
+    EXPECT_FALSE(time.readIfModified());
     EXPECT_EQ(time.endTime(), 1);
 }
 
@@ -92,9 +78,9 @@ TEST(TimeChanges, AnEmptiedControlDictIsOneThatIsBeingWritten)
     Time time(folder.path());
     folder.control("");
     testing::internal::CaptureStderr();
-    EXPECT_FALSE(readLater(time));
+    EXPECT_FALSE(time.readIfModified());
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     folder.control("runTimeModifiable yes; endTime 2; deltaT 0.1; writeInterval 5;");
-    EXPECT_TRUE(readLater(time));
+    EXPECT_TRUE(time.readIfModified());
     EXPECT_EQ(time.endTime(), 2);
 }
