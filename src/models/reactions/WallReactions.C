@@ -126,13 +126,6 @@ private:
     }
 };
 
-// Of a Newtonian liquid that walls hold; other models' friction is shared by touch.
-bool wallsHold(const Dictionary& models)
-{
-    const std::string model = models.lookupOr<std::string>("viscosity", "none"), coeffs = model + "Coeffs";
-    return model == "newtonian" && (!models.found(coeffs) || models.subDict(coeffs).lookupOr("noSlip", true));
-}
-
 // The same numbers, on the host.
 struct Sums
 {
@@ -200,7 +193,7 @@ void WallReactions::end(const Liquid& liquid, const Walls& walls, const Models& 
     EstimateAt estimate
     {
         .wall = 0, .part = {}, .h = liquid.support(), .spacing = liquid.spacing(), .perPressure = perDensity, .tension = perDensity * sigma,
-        .friction = wallsHold(models.dict) ? dt * nu : 0, .position = liquid.position.span(), .velocity = liquid.velocity.span(),
+        .friction = models.viscosity->holdsAtWalls() ? dt * nu : 0, .position = liquid.position.span(), .velocity = liquid.velocity.span(),
         .pressure = pressure_ ? pressure_->span() : Span<const scalar>{}, .walls = walls.view(liquid), .ofSurface = std::as_const(ofSurface_).span(),
         .ofParticle = std::as_const(ofParticle_).span(), .fileOrder = walls.fileOrder(), .plane = {plane_.span(), liquid.support()},
         .extended = extended_->view(), .surface = models.freeSurface->view(), .hasSurface = hasSurface

@@ -81,6 +81,7 @@ public:
     {}
 
     bool seesGhosts() const override { return true; }
+    bool holdsAtWalls() const override { return friction_.holds(); }
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
