@@ -12,7 +12,7 @@ function(shizuku_library name)
     add_library(${name} SHARED ${ARG_SOURCES})
     set_source_files_properties(${ARG_SOURCES} PROPERTIES LANGUAGE CXX)
     target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
-    target_compile_options(${name} PRIVATE ${SHIZUKU_HOST_FLAGS})
+    target_compile_options(${name} PRIVATE ${SHIZUKU_HOST_FLAGS} ${SHIZUKU_QUICK_FLAGS})
     target_link_libraries(${name} PUBLIC ${ARG_LINK})
     set_target_properties(${name} PROPERTIES DEFINE_SYMBOL "")         # flags as of the other libraries, whose headers are compiled once
     if(NOT TARGET shizukuCore OR name STREQUAL shizukuCore)
