@@ -65,12 +65,48 @@ public:
             std::vector<PieceParticle> both = near(boxes[k]);
             const std::size_t mine = both.size();
             appendTo(both, from[k]);
-            join(both, mine, joints);
+            if (mine > 0 && mine < both.size()) join(both, joints);
         }
         return joints;
     }
 
+    // Those that pieces have across cyclic sides; in part 0. All parts come to it together.
+    std::vector<Joint> jointsAcross(const BoxSides& sides) const
+    {
+        std::vector<PieceParticle> some;
+        for (std::size_t i = 0; i < positions_.size(); ++i)
+        {
+            bool isNear = false;
+            for (int c = 0; c < 3; ++c) isNear = isNear || shiftAcross(sides, c, positions_[i]) != 0;
+            if (isNear) some.push_back({positions_[i], piece_[i]});
+        }
+        std::vector<PieceParticle> both = gatherListsAtFirst(parts_, some);
+        std::vector<Joint> joints;
+        // Behind an axis there are the images across the sides of those before, and so those across edges and corners.
+        for (int c = 0; c < 3; ++c)
+        {
+            for (std::size_t i = 0, before = both.size(); i < before; ++i)
+            {
+                PieceParticle image = both[i];
+                const double shift = shiftAcross(sides, c, image.position);
+                image.position[c] += shift;
+                if (shift != 0) both.push_back(image);
+            }
+        }
+        join(both, joints);
+        return joints;
+    }
+
 private:
+    // By how far the image of a place that is as near to a cyclic side of an axis as particles of a body are to each other is from it; else 0.
+    double shiftAcross(const BoxSides& sides, int axis, const Vector3& x) const
+    {
+        if (!sides.isCyclic(axis)) return 0;
+        const double low = sides.at[axis][0], high = sides.at[axis][1];
+        if (x[axis] < low + reach_) return high - low;
+        return x[axis] > high - reach_ ? low - high : 0;
+    }
+
     // Those as near to a box as particles of a body are to each other.
     std::vector<PieceParticle> near(const Bounds& box) const
     {
@@ -85,10 +121,8 @@ private:
         return some;
     }
 
-    // The first `mine` are this part's.
-    void join(const std::vector<PieceParticle>& both, std::size_t mine, std::vector<Joint>& joints) const
+    void join(const std::vector<PieceParticle>& both, std::vector<Joint>& joints) const
     {
-        if (mine == 0 || mine == both.size()) return;
         std::vector<Vector3> positions;
         for (const PieceParticle& particle : both) positions.push_back(particle.position);
         for (const std::vector<int>& group : connectedPoints(positions, reach_))
@@ -110,10 +144,16 @@ private:
 
 }
 
-std::vector<int> bodySizes(const std::vector<Vector3>& positions, double spacing, const Communicator& parts)
+std::vector<int> bodySizes(const std::vector<Vector3>& positions, double spacing, const Communicator& parts, const BoxSides* sides)
 {
     const Pieces own(positions, spacing, parts);
-    const std::vector<Joint> joints = gatherListsAtFirst(parts, own.joints());
+    std::vector<Joint> found = own.joints();
+    if (sides)
+    {
+        const std::vector<Joint> across = own.jointsAcross(*sides);
+        found.insert(found.end(), across.begin(), across.end());
+    }
+    const std::vector<Joint> joints = gatherListsAtFirst(parts, found);
     const std::vector<int> pieces = gatherListsAtFirst(parts, own.sizes());
     boost::disjoint_sets_with_storage<> sets(pieces.size());
     for (const Joint& joint : joints) sets.union_set(joint.piece, joint.other);

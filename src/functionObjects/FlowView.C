@@ -101,10 +101,15 @@ LiquidSurface& FlowView::mesher()
     return *mesher_;
 }
 
-bool FlowView::isFolded() const
+const BoxSides* FlowView::sides() const
 {
     const Images* images = liquid_.ghosts().images();
-    return images && images->sides().box().has(Sides::Kind::symmetryPlane);
+    return images ? &images->sides().box() : nullptr;
+}
+
+bool FlowView::isFolded() const
+{
+    return sides() && sides()->has(Sides::Kind::symmetryPlane);
 }
 
 std::vector<Position> FlowView::unfoldedWhole(std::vector<Position> places) const

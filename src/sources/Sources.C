@@ -87,19 +87,33 @@ std::vector<std::string> Sources::names(const std::filesystem::path& casePath)
     return readSources(casePath).dictKeys();
 }
 
+bool Sources::mayChange(const std::string& entry)
+{
+    const std::size_t from = entry.find('.');
+    if (from == std::string::npos) return false;
+    const std::string word = entry.substr(from + 1, entry.find('.', from + 1) - from - 1);
+    return word == "flowRate" || word == "velocity" || word == "rate" || word == "speed";
+}
+
+void Sources::refuseLongSteps(double deltaT) const
+{
+    for (const Named& named : list_)
+    {
+        if (deltaT <= named.source->longestStep()) continue;
+        std::ostringstream found, expected;
+        found << "In a step of " << deltaT << " s the source '" << named.name << "' would move its liquid too far";
+        expected << "a deltaT of at most " << named.source->longestStep() << " s in system/controlDict";
+        throw FatalInputError(named.where, found.str(), expected.str());
+    }
+}
+
 void Sources::beginStep(const Liquid& liquid, double time, double deltaT)
 {
     if (list_.empty()) return;
+    refuseLongSteps(deltaT);
     std::vector<Stream> streams;
     for (const Named& named : list_)
     {
-        if (deltaT > named.source->longestStep())
-        {
-            std::ostringstream found, expected;
-            found << "In a step of " << deltaT << " s the source '" << named.name << "' would move its liquid too far";
-            expected << "a deltaT of at most " << named.source->longestStep() << " s in system/controlDict";
-            throw FatalInputError(named.where, found.str(), expected.str());
-        }
         const auto stream = named.source->stream(time + deltaT / 2);
         if (!stream) continue;
         for (const Stream& each : space_.withImages(*stream)) streams.push_back(each.scaled(liquid.units().length, liquid.units().of(dimensions::velocity)));

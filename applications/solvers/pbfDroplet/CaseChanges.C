@@ -19,6 +19,7 @@ namespace
 {
 
 const char* const wettabilityFile = "constant/wettability";
+const char* const sourcesFile = "constant/sources";
 const char* const wallsFile = "constant/walls";
 
 // spacing, kernel and density make the particles what they are.
@@ -51,6 +52,18 @@ void refuseOtherWalls(const std::vector<EntryChange>& changes, const Dictionary&
     }
 }
 
+// Sources are where and what the run began with, but for how fast liquid comes in.
+void refuseOtherSources(const std::vector<EntryChange>& changes, const Dictionary& now)
+{
+    const auto other = std::find_if(changes.begin(), changes.end(), [](const EntryChange& change) { return !Sources::mayChange(change.entry); });
+    if (other == changes.end()) return;
+    throw FatalInputError
+    (
+        now.where(), "Entry '" + other->entry + "' was changed from " + other->before + " to " + other->after + ", which a run cannot follow",
+        other->before + ", or a new run; of sources a run follows flowRate, velocity, rate and speed alone"
+    );
+}
+
 // A contact angle of the whole field, or its range, in degrees.
 std::string rangeOf(const std::vector<double>& theta)
 {
@@ -66,7 +79,7 @@ std::string rangeOf(const std::vector<double>& theta)
 CaseChanges::CaseChanges(const Time& time)
 {
     for (const std::string file :
-        {"system/solution", "constant/liquidProperties", "constant/models", "constant/g", wettabilityFile, wallsFile})
+        {"system/solution", "constant/liquidProperties", "constant/models", "constant/g", wettabilityFile, sourcesFile, wallsFile})
     {
         const auto path = time.casePath() / file;
         dictionaries_.push_back({WatchedFile(path), readOrEmpty(path)});
@@ -101,6 +114,11 @@ public:
             motions = WallMotions::read(time.casePath());
             setup.walls->refuseMotions(liquid, *motions, time.value());
             refuseCrossingWalls(time.casePath(), time.value(), time.endTime(), liquid.properties().spacing);
+        }
+        if (anew.sources)
+        {
+            sources.emplace(time.casePath(), liquid);
+            sources->refuseLongSteps(time.deltaT());
         }
         if (!models->angles || setup.walls->particles() == 0) return;
         const std::optional<WallAngles>& angles = setup.walls->angles();
@@ -147,6 +165,7 @@ public:
     Former former;
     std::vector<Dictionary> now;
     std::optional<WallMotions> motions;     // where walls have changed
+    std::optional<Sources> sources;         // where they have changed
     std::optional<Models> models;           // behind `former`: they go before their fields
 };
 
@@ -169,6 +188,8 @@ bool CaseChanges::apply(const Time& time, CaseSetup& setup)
             std::vector<Dictionary> now = readAll();
             refuseFixed(dictionaries_[0].former, now[0]);
             refuseFixed(dictionaries_[1].former, now[1]);
+            const std::size_t before = dictionaries_.size() - 2;
+            refuseOtherSources(differences(dictionaries_[before].former, now[before]), now[before]);
             refuseOtherWalls(differences(dictionaries_.back().former, now.back()), now.back());
             fresh.emplace(time, setup, std::move(now), anew_);
             return fresh->text();
@@ -213,6 +234,7 @@ std::string CaseChanges::note(std::uint32_t changed, const std::filesystem::path
         const std::string name = std::filesystem::relative(dictionaries_[d].file.path(), casePath).string();
         add(name);
         if (name == wettabilityFile) anew_.wettability = true;
+        if (name == sourcesFile) anew_.sources = true;
         if (name == wallsFile) anew_.walls = true;
     }
     if (changed >> dictionaries_.size() & 1)
@@ -229,6 +251,7 @@ void CaseChanges::take(const Time& time, CaseSetup& setup, Fresh fresh)
     const std::optional<WallAngles> formerAngles = walls.angles();
     fresh.former.liquid = nullptr;
     if (fresh.motions) walls.useMotions(*setup.liquid, std::move(*fresh.motions));
+    if (fresh.sources) setup.population->useSources(std::move(*fresh.sources));
     *setup.models = std::move(*fresh.models);
     setup.models->takeEffect(*setup.liquid, walls);
     const std::optional<WallAngles>& angles = walls.angles();

@@ -3,7 +3,7 @@
 //
 //     sizes { type drops; classes (1e-3 2e-3 3e-3); }
 //
-// Separate bodies of liquid (drops/SeparateBodies.H) of twenty particles and more are drops, wherever they are; others are spray. Diameters are those of spheres of
+// Separate bodies of liquid (drops/SeparateBodies.H; across cyclic sides too) of twenty particles and more are drops, wherever they are; others are spray. Diameters are those of spheres of
 // their volumes, d^3 a particle: the mean of them; the one that half of the volume is in drops below; and the largest. classes [m]: between
 // these diameters drops are counted, in columns of their own. What has left the largest body, and particles that are alone, are counted too; the log tells them.
 
@@ -38,7 +38,7 @@ public:
 
     void execute(FlowView& flow) override
     {
-        const std::vector<int> sizes = bodySizes(flow.positionsOfPart(), flow.properties().spacing, flow.parts());
+        const std::vector<int> sizes = bodySizes(flow.positionsOfPart(), flow.properties().spacing, flow.parts(), flow.sides());
         if (flow.parts().part() > 0) return;
         std::vector<double> diameters, volumes;             // the largest first
         double all = 0, sum = 0, spray = 0, sprayParticles = 0, alone = 0;

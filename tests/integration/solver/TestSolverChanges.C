@@ -28,6 +28,7 @@ protected:
     // Edits while the solver stands still after some steps, waits until the log holds `answer`, and stops it. Returns the log.
     std::string editedRun(const std::function<void()>& edit, const std::string& answer, const std::string& stop = "writeNow") const
     {
+        std::filesystem::remove(folder_.path()/"log");          // of a run before, which would be taken for this one's
         Process process(command("pbfDroplet", ""), folder_.path()/"log");
         const auto steps = [&] { return stepsOf(process.log()).size(); };
         EXPECT_TRUE(process.runUntil([&] { return steps() > 2; })) << process.log();
@@ -172,6 +173,31 @@ TEST_P(Changes, OfAnglesOutlastOtherChangesAndTheRun)
     const Outcome sampled = run(program("sampleTheta") + " -case " + path().string());
     EXPECT_EQ(sampled.status, 0);
     EXPECT_TRUE(holds(sampled.text, {"WARNING: Later times hold contact angles of their own", timeAfter(all)})) << sampled.text;
+}
+
+// Rain sets in: the run goes on as one that is restarted with it. Where it falls does not change.
+TEST_P(Changes, OfSourcesAreHowFastLiquidComesIn)
+{
+    const auto rain = [&](const std::string& rate, const std::string& height = "0.015")
+    {
+        write("constant/sources", "shower { type rain; rate " + rate + "; corner (2e-3 -6e-3 " + height + "); along (0.01 0 0); across (0 0.012 0); direction (0 0 -1); speed 0.5; sizes { type oneSize; diameter 3e-3; } }\n");
+    };
+    rain("0");
+    const std::string log = editedRun([&] { rain("0.2"); }, made);
+    EXPECT_TRUE(holds(log, {"constant/sources: shower.rate: 0 -> 0.2\n", "entered: shower 14 particles"}));
+    const std::size_t before = stepsBefore(log, made), all = stepsOf(log).size();
+    const Contents live = contents(timeAfter(all));
+    removeResults();
+    rain("0");
+    solveTo(before);
+    rain("0.2");
+    solveTo(all);
+    EXPECT_TRUE(same(live, contents(timeAfter(all))));
+
+    removeResults();
+    begin("runTimeModifiable yes;");
+    const std::string refused = editedRun([&] { rain("0.2", "0.02"); }, "is left out");
+    EXPECT_TRUE(holds(refused, {"Entry 'shower.corner' was changed", "of sources a run follows flowRate, velocity, rate and speed alone"}));
 }
 
 // An edit that was left out because another file was wrong acts once that one is mended.

@@ -99,6 +99,48 @@ TEST(FunctionObjects, DropsOfPartsAreThoseOfOne)
     EXPECT_GT(whole.value(cut, "radius", 0), 0);
 }
 
+// A ball across an edge of cyclic sides is four pieces of one body, whole or in parts, in one of which each piece is; across an open side, and without sides, it is not.
+TEST(FunctionObjects, DropsAcrossCyclicSidesAreOne)
+{
+    const std::string functions = "sizes { type drops; }", table = "sizes/0/drops.csv";
+    const std::string cyclic = "min (0 0 0); max (0.02 0.02 0.02); sides { xMin cyclic; xMax cyclic; yMin cyclic; yMax cyclic; }";
+    const std::string onlyX = "min (0 0 0); max (0.02 0.02 0.02); sides { xMin cyclic; xMax cyclic; }";
+    std::vector<Vec3> places, ball = latticeBall(3.2f, {0, 0, 10});
+    for (Vec3 place : ball)
+    {
+        if (place.x < 0) place.x += 20;
+        if (place.y < 0) place.y += 20;
+        places.push_back(place);
+    }
+    const auto drops = [&](const std::string& boundary)
+    {
+        FlowCase flow(functions, {.boundary = boundary});
+        flow.step(places);
+        return flow.value(table, "drops");
+    };
+    EXPECT_EQ(drops(cyclic), 1);
+    EXPECT_EQ(drops(onlyX), 2);
+    EXPECT_EQ(drops(""), 4);
+
+    FlowCase whole(functions, {.boundary = cyclic});
+    whole.step(places);
+    EXPECT_NEAR(whole.value(table, "largestDiameter"), 1e-3 * std::cbrt(6 * double(ball.size()) / std::numbers::pi), 1e-8);
+    runParts(4, [&](const Communicator& all)
+    {
+        std::vector<Vec3> own;
+        for (const Vec3& place : places)
+        {
+            if ((place.x > 10) + 2 * (place.y > 10) == all.part()) own.push_back(place);
+        }
+        FlowCase flow(functions, {.boundary = cyclic});
+        flow.place(own);
+        flow.liquid.ghosts().join(all);
+        flow.view().cut(nullptr, false);
+        flow.measure();
+        EXPECT_EQ(flow.table(table), all.part() == 0 ? whole.table(table) : "");
+    });
+}
+
 TEST(FunctionObjects, OutflowWantsAnOutlet)
 {
     EXPECT_TRUE(holds(messageOf([] { FlowCase flow("out { type outflow; }"); }), {"no outlet", "constant/outlets"}));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // type thread;  radius 5e-4;  kR 0.697;  within 10;
-// A thread of that mean radius [m] along z that begins at rest as R (1 + e cos(k z)), z from 0 on, between planes half a wavelength apart: the
-// rate in e cosh(rate t) against Rayleigh's (reference/CapillaryWave.H), in percent, by least squares up to where the wave is a quarter of the
-// radius high. thread.csv holds the trace.
+// A thread of that mean radius [m] along z that begins at rest as R (1 + e cos(k z)), z from 0 on, between planes half a wavelength apart, or
+// between cyclic sides a wavelength apart: the rate in e cosh(rate t) against Rayleigh's (reference/CapillaryWave.H), in percent, by least
+// squares up to where the wave is a quarter of the radius high. thread.csv holds the trace.
 
 #include "Comparison.H"
 #include "CosineMoment.H"

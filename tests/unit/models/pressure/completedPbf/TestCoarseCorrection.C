@@ -128,3 +128,9 @@ TEST(CoarseCorrection, SaysThatLiquidLiesTooFarApart)
     EXPECT_NE(testing::internal::GetCapturedStderr().find("more than 2^26"), std::string::npos);
     EXPECT_EQ(with.rise, without.rise);
 }
+
+TEST(CoarseCorrection, IsRefusedBetweenSides)
+{
+    LiquidCase between({.boundary = "min (0 0 0); max (0.02 0 0); sides { xMin cyclic; xMax cyclic; }"});
+    EXPECT_TRUE(holds(messageOf([&] { makePressure(between, "completedPbf", "coarseGrid yes;"); }), {"coarseGrid", "does not go on across the sides of constant/boundary"}));
+}
