@@ -44,11 +44,10 @@ struct MomentumOf
     }
 };
 
-// Part of what a wall gets, at a particle.
+// What a wall gets at a particle, in parts.
 struct EstimateAt
 {
     std::uint32_t wall;
-    WallReactions::Part part;
     scalar h, spacing;
     scalar perPressure, tension, friction;      // 2 dt/rho0, 2 dt sigma/rho0, dt nu; 0: there is no estimate
     Span<const Position> position;
@@ -62,21 +61,27 @@ struct EstimateAt
 
     bool hasSurface;
 
-    HOST_DEVICE Reaction operator()(int i) const
+    HOST_DEVICE WallReactions::Reactions operator()(int i) const
     {
         const Position x = position[i];
         const Nearest solid = nearestSolid(i, x);
-        Vec3 by;
+        Vec3 by[WallReactions::parts];
         scalar touch = 0;
         walls.forEachContact(i, x, h, [&](int a, const WallContact& contact)
         {
             if ((a < walls.surfaces.count ? ofSurface[a] : solid.wall) != wall) return;
             if (a < walls.surfaces.count) touch = fmax(touch, 1 - fmax(contact.distance, 0) / h);
-            by += of(i, a, x, contact);
+            addTo(by, i, a, x, contact);
         });
         if (solid.wall == wall) touch = fmax(touch, 1 - solid.distance / h);
         if (touch == 0) return {};
-        return reactionOf(placeOf(x), {{by.x, by.y, by.z}}, part == WallReactions::friction ? norm(by) : touch);
+        WallReactions::Reactions reactions;
+        for (int part = 0; part < WallReactions::parts; ++part)
+        {
+            const Vec3 v = by[part];
+            reactions.of[part] = reactionOf(placeOf(x), {{v.x, v.y, v.z}}, part == WallReactions::friction ? norm(v) : touch);
+        }
+        return reactions;
     }
 
 private:
@@ -97,21 +102,21 @@ private:
         return nearest;
     }
 
-    HOST_DEVICE Vec3 of(int i, int a, Position x, const WallContact& contact) const
+    HOST_DEVICE void addTo(Vec3* by, int i, int a, Position x, const WallContact& contact) const
     {
         const Vec3 n = contact.normal;
-        if (part == WallReactions::pressure) return pressure.size > 0 ? perPressure * pressure[i] * slope(i, a, contact) : Vec3{};
+        if (pressure.size > 0) by[WallReactions::pressure] += perPressure * pressure[i] * slope(i, a, contact);
         const scalar weight = 2 * plane(contact.distance).gradient;
-        if (part == WallReactions::friction)
+        if (friction > 0)
         {
             const Vec3 u = velocity[i] - walls.velocity(a, i, x);
-            return friction * weight / fmax(contact.distance, 0.25f * spacing) * (u - dot(u, n) * n);
+            by[WallReactions::friction] += friction * weight / fmax(contact.distance, 0.25f * spacing) * (u - dot(u, n) * n);
         }
-        if (!hasSurface || surface.isInside(i)) return {};
+        if (!hasSurface || surface.isInside(i)) return;
         const Vec3 G = surface(i).gradient;
         const scalar steep = norm(G);
         const Vec3 m = 1 / fmax(steep, 1e-20f) * G;
-        return tension * steep * weight * (n - dot(n, m) * m);
+        by[WallReactions::contactLine] += tension * steep * weight * (n - dot(n, m) * m);
     }
 
     // Of what the wall adds to the density.
@@ -192,7 +197,7 @@ void WallReactions::end(const Liquid& liquid, const Walls& walls, const Models& 
     const scalar nu = units.toScaled(liquid.properties().viscosity, dimensions::kinematicViscosity);
     EstimateAt estimate
     {
-        .wall = 0, .part = {}, .h = liquid.support(), .spacing = liquid.spacing(), .perPressure = perDensity, .tension = perDensity * sigma,
+        .wall = 0, .h = liquid.support(), .spacing = liquid.spacing(), .perPressure = perDensity, .tension = perDensity * sigma,
         .friction = models.viscosity->holdsAtWalls() ? dt * nu : 0, .position = liquid.position.span(), .velocity = liquid.velocity.span(),
         .pressure = pressure_ ? pressure_->span() : Span<const scalar>{}, .walls = walls.view(liquid), .ofSurface = std::as_const(ofSurface_).span(),
         .ofParticle = std::as_const(ofParticle_).span(), .fileOrder = walls.fileOrder(), .plane = {plane_.span(), liquid.support()},
@@ -200,23 +205,19 @@ void WallReactions::end(const Liquid& liquid, const Walls& walls, const Models& 
     };
     for (std::size_t wall = 0; wall < estimates_.size(); ++wall)
     {
-        for (int part = 0; part < parts; ++part)
-        {
-            estimate.wall = std::uint32_t(wall);
-            estimate.part = Part(part);
-            estimates_[wall][part].add(liquid.owned(), estimate);
-        }
+        estimate.wall = std::uint32_t(wall);
+        estimates_[wall].add(liquid.owned(), estimate);
     }
 }
 
 void WallReactions::addTo(Liquid& liquid)
 {
-    const auto taken = [&](Accumulator<Reaction>& sums)
+    const auto taken = [&](auto& sums)
     {
         sums.ask();
-        return Sums(liquid.parts().fold(sums.take()));
+        return liquid.parts().fold(sums.take());
     };
-    const Sums before = taken(before_), pressed = taken(pressed_), after = taken(after_);
+    const Sums before(taken(before_)), pressed(taken(pressed_)), after(taken(after_));
     Sums rest = before, restOfFriction = pressed;           // what walls got in all, less what is estimated
     rest.add(pressed, -1);
     restOfFriction.add(after, -1);
@@ -225,7 +226,8 @@ void WallReactions::addTo(Liquid& liquid)
     for (auto& estimates : estimates_)
     {
         std::array<Sums, parts>& wall = walls.emplace_back();
-        for (int part = 0; part < parts; ++part) wall[part] = taken(estimates[part]);
+        const Reactions sums = taken(estimates);
+        for (int part = 0; part < parts; ++part) wall[part] = Sums(sums.of[part]);
         rest.add(wall[pressure], -1);
         rest.add(wall[contactLine], -1);
         restOfFriction.add(wall[friction], -1);
