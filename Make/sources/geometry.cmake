@@ -98,6 +98,8 @@ set(SHIZUKU_GEOMETRY_SOURCES
     drops/LineState.C
     wallMotions/CrossingWalls.C
     caseFiles/AnalyticMesh.C
+    drops/foot/FootVolume.C
+    drops/foot/LatticeLiquid.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.
