@@ -100,6 +100,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     caseFiles/AnalyticMesh.C
     drops/foot/FootVolume.C
     drops/foot/LatticeLiquid.C
+    drops/BodyNumbers.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.

@@ -16,7 +16,9 @@
 #include <vtkPointData.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
+#include <set>
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -136,6 +138,24 @@ TEST_F(DropCase, VtkReadsEveryFileWithItsTime)
             EXPECT_EQ(times, (std::vector<double>{0, 0.01, 0.025}));
         }
     }
+}
+
+// Two drops, the larger one on the left. How numbers go on is TestDrops'.
+TEST_F(DropCase, ShizukuToVtkNumbersTheDrops)
+{
+    writeTime("0", {drop(90, 1000), drop(90, 500, 1.5e-3)});
+    writeTime("0.01", {drop(90, 1000), drop(90, 500, 1.5e-3)});
+    const auto bodies = [&](const std::string& file)
+    {
+        const auto data = readVtp(path()/"VTK/surface"/file);
+        std::map<int, std::set<bool>> sides;
+        for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) sides[int(data->GetPointData()->GetArray("body")->GetTuple1(i))].insert(data->GetPoint(i)[0] > 0);
+        return sides;
+    };
+    ASSERT_EQ(call("shizukuToVTK").status, 0);
+    const std::map<int, std::set<bool>> expected{{1, {false}}, {2, {true}}};
+    EXPECT_EQ(bodies("surface_0.vtp"), expected);
+    EXPECT_EQ(bodies("surface_1.vtp"), expected);
 }
 
 // U of the particles grows linearly with height, from 0.005 m/s half a spacing above the floor, by 0.01 m/s a spacing. So it does on the surface, but for what lies beyond
