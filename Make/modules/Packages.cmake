@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What the machine offers. Required: Boost, Eigen. Optional, and then left out with a message: CUDA (the GPU
-# backend), VTK and CGAL (utilities), MPI (-parallel), NCCL (between GPUs), GoogleTest and Google Benchmark (tests and benchmarks).
+# backend), VTK, CGAL and OpenVDB (utilities), MPI (-parallel), NCCL (between GPUs), GoogleTest and Google Benchmark (tests and benchmarks).
 
 set(Boost_USE_STATIC_LIBS OFF)
 if(POLICY CMP0167)
@@ -85,7 +85,13 @@ endif()
 if(NCCL_INCLUDE AND NCCL_LIBRARY)
     set(NCCL_FOUND TRUE)
 endif()
-foreach(package CGAL VTK MPI NCCL GTest benchmark)
+find_path(OPENVDB_INCLUDE openvdb/openvdb.h)
+find_library(OPENVDB_LIBRARY openvdb)
+find_library(TBB_LIBRARY tbb)
+if(OPENVDB_INCLUDE AND OPENVDB_LIBRARY AND TBB_LIBRARY)
+    set(OpenVDB_FOUND TRUE)
+endif()
+foreach(package CGAL VTK OpenVDB MPI NCCL GTest benchmark)
     if(${package}_FOUND)
         message(STATUS "${package}: found")
     else()

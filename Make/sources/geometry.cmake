@@ -98,6 +98,9 @@ set(SHIZUKU_GEOMETRY_SOURCES
     drops/LineState.C
     wallMotions/CrossingWalls.C
     caseFiles/AnalyticMesh.C
+    drops/foot/FootVolume.C
+    drops/foot/LatticeLiquid.C
+    drops/BodyNumbers.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.

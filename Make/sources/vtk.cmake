@@ -20,4 +20,5 @@ set(SHIZUKU_VTK_SOURCES
     vtk/ClearLiquid.C
     vtk/FinePicture.C
     vtk/OutsideProgram.C
+    vtk/ScaleBar.C
 )

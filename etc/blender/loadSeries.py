@@ -3,7 +3,7 @@
 
     blender -b -P etc/blender/loadSeries.py -- CASE/export -o drop.blend [-scale 1000] [-render drop_]
 
-Each mesh has the attribute "velocity": m/s times the scale. With -render the frames become PNG files.
+Each mesh has the attributes "velocity", m/s times the scale, and "body", the number of its body of liquid. With -render the frames become PNG files.
 """
 import argparse
 import math
@@ -48,6 +48,8 @@ def add_frame(number, file, scale, material):
     mesh.from_pydata(places.tolist(), [], triangles.tolist())
     velocity = mesh.attributes.new("velocity", "FLOAT_VECTOR", "POINT")
     velocity.data.foreach_set("vector", scale*numpy.stack([columns[name] for name in ("vx", "vy", "vz")], axis=1).ravel())
+    if "body" in columns:
+        mesh.attributes.new("body", "INT", "POINT").data.foreach_set("value", columns["body"].astype("i4"))
     mesh.polygons.foreach_set("use_smooth", [True]*len(mesh.polygons))
     mesh.materials.append(material)
     thing = bpy.data.objects.new(file.stem, mesh)

@@ -16,7 +16,6 @@ namespace shizuku
 namespace
 {
 
-constexpr std::size_t mostSolid = 400'000;              // particles that are shown
 constexpr double flatAngle = 180;                       // degrees
 
 // null for a wall with a distribution, or none. Angles that are wrong are refused elsewhere.
@@ -77,7 +76,7 @@ bool solidMoves(const std::filesystem::path& casePath)
     return useSolidParticles(casePath) && haveSolidParticles(casePath) && !WallMotions::read(casePath).none();
 }
 
-std::string solidMessage(const std::filesystem::path& casePath, double time, const std::vector<double>& theta)
+std::string solidMessage(const std::filesystem::path& casePath, double time, const std::vector<double>& theta, std::size_t limit)
 {
     ViewFrame frame;
     frame.kind = "solid";
@@ -86,7 +85,7 @@ std::string solidMessage(const std::filesystem::path& casePath, double time, con
     frame.unit = "deg";
     if (useSolidParticles(casePath) && haveSolidParticles(casePath)) frame.positions = readSolidParticles(casePath, time).positions;
     if (theta.size() == frame.positions.size()) frame.values = theta;
-    return encodeFrame(frame, mostSolid);
+    return encodeFrame(frame, limit);
 }
 
 }

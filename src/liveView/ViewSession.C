@@ -167,7 +167,7 @@ void ViewSession::take(const std::string& text)
         }
         const ViewServer::Answer answer = loop_.obey(command);
         if (!answer.text.empty()) send({std::make_shared<const std::string>(answer.text), false});
-        if (answer.frame) send({answer.frame, true});
+        for (const auto& frame : answer.frames) send({frame, true});
     }
     catch (const FatalError& error)
     {

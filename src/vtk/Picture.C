@@ -8,6 +8,7 @@
 #include "vtk/ClearLiquid.H"
 #include "vtk/FinePicture.H"
 #include "vtk/PictureParts.H"
+#include "vtk/ScaleBar.H"
 #include "vtk/StudioFloor.H"
 #include "vtk/StudioSurroundings.H"
 
@@ -32,7 +33,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 namespace shizuku
 {
@@ -179,12 +179,10 @@ PictureCamera cameraOf(vtkRenderer& renderer, const PictureView& view)
     return camera;
 }
 
-// "tiles of 0.5 mm": what tells how large things are.
-std::string tilesCaption(double radius)
+// What the picture shows at its centre from side to side [m].
+double widthAt(const Vector3& centre, const PictureCamera& camera)
 {
-    std::ostringstream text;
-    text << "tiles of " << 1e3*tileSide(radius) << " mm";
-    return text.str();
+    return 2*camera.halfWidth*camera.depth(centre);
 }
 
 // In place of all that the renderer has shown.
@@ -269,10 +267,10 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
     window->SetSize(oversampling*view.width, oversampling*view.height);
     window->AddRenderer(renderer);
     aimCamera(*renderer, stage, framed, view, hangs);
+    const PictureCamera camera = cameraOf(*renderer, view);
     std::string caption = scene.caption;
     if (clear)
     {
-        const PictureCamera camera = cameraOf(*renderer, view);
         if (scene.isFine) show(*renderer, finePicture(scene, camera, {stage.centre, stage.radius, keyLight}, oversampling*view.width, oversampling*view.height));
         else
         {
@@ -281,10 +279,12 @@ void renderPicture(const PictureScene& scene, const PictureView& view, const std
             clear->draw(picture, camera);
             show(*renderer, picture);
         }
-        if (scene.floor) caption.append(caption.empty() ? "" : "\n").append(tilesCaption(stage.radius));
+        if (scene.floor) caption.append(caption.empty() ? "" : "\n").append("tiles of " + lengthText(tileSide(stage.radius)));
     }
     if (scene.floor && !scene.pattern.empty() && !scene.isFine) addPatternLegend(*renderer, scene, oversampling*std::max(leastFont, view.width/80));
-    if (!caption.empty()) addCaption(*renderer, caption, oversampling*std::max(leastFont, view.width/60));
+    const int fontSize = oversampling*std::max(leastFont, view.width/60);
+    if (!caption.empty()) addCaption(*renderer, caption, fontSize);
+    addScaleBar(*renderer, widthAt(stage.centre, camera), oversampling*view.width, fontSize);
     window->Render();
     writePng(*window, file);
 }

@@ -40,6 +40,8 @@ LiveView::LiveView(const Arguments& args, const Time& time, const Liquid& liquid
         sliders_ = std::make_unique<CaseSliders>(time.casePath());
         const ViewAddress address = args.found("viewAt") ? ViewAddress::parse(args.get("viewAt")) : ViewAddress{.port = usualPort};
         server_ = std::make_unique<ViewServer>(address, [this](const ViewCommand& command) { return obey(command); });
+        wallsMove_ = !movedWallsText(time.casePath(), time.value()).empty();
+        solidMoves_ = solidMoves(time.casePath());
         keepScene(time);
         keepState("running");
         std::cout << "View: " << server_->url() << std::endl;
@@ -156,13 +158,13 @@ void LiveView::publish()
     nextFrame_ += std::chrono::duration_cast<Clock::duration>((Clock::now() - start)/shareOfTime);
 }
 
-// Those that move. In the middle of an edit constant/walls may be unreadable: then they are shown in a later frame.
+// Those that move: files are read for a frame where there are some. In the middle of an edit constant/walls may be unreadable: then they are shown in a later frame.
 std::string LiveView::showWalls(const Time& time)
 {
     try
     {
-        if (solidMoves(time.casePath())) server_->keep("solid", solidMessage(time.casePath(), time.value(), theta_), true);
-        return movedWallsText(time.casePath(), time.value());
+        if (solidMoves_) server_->keep("solid", solidMessage(time.casePath(), time.value(), theta_), true);
+        return wallsMove_ ? movedWallsText(time.casePath(), time.value()) : "";
     }
     catch (const FatalInputError&)
     {

@@ -3,7 +3,8 @@
 
 #include "core/angles/Degrees.H"
 #include "device/HostThreads.H"
-#include "drops/foot/FootPlaces.H"
+#include "drops/foot/FootVolume.H"
+#include "drops/foot/LatticeLiquid.H"
 #include "drops/foot/SmoothedLiquid.H"
 #include "meshes/VertexNeighbours.H"
 
@@ -19,11 +20,12 @@ namespace
 using Role = FootPlace::Role;
 using Wall = WallsNear::Wall;
 
-constexpr double wetted = 0.75;                     // spacings: half of one is what the mesh may be off at a layer of particles
+constexpr double sinks = 0.25;                      // spacings: so far the free surface goes in, before the mesh leaves the walls
 constexpr double follows = 0.375, stays = 0.875;    // supports: up to that height vertices follow the level, from there on they stay
 constexpr double wider = 1.5;                       // support of the level's kernel, supports
 constexpr int smoothingPasses = 20;                          // of Taubin's
 constexpr double towardsMean = 0.5, backFromMean = -0.52;
+constexpr int latticePasses = 30;                   // towards the mean alone, over a lattice, whose steps are three to six spacings long
 
 // What of the way to the level a vertex goes.
 double partOfWay(const FootPlace& place, double support)
@@ -159,6 +161,19 @@ void smoothFoot(TriangleMesh& mesh, const FootSmoothing& smoothing)
     }
 }
 
+// Takes the steps of a lattice out, where particles stand on one.
+void smoothLattice(TriangleMesh& mesh, const FootSmoothing& smoothing, const std::vector<Vector3>& particles, double spacing)
+{
+    const LatticeLiquid lattice(particles, spacing);
+    if (!lattice.any()) return;
+    std::vector<char> stands(mesh.vertices.size());
+    forEachInParallel(stands.size(), [&](std::size_t v) { stands[v] = lattice.at(mesh.vertices[v]); });
+    for (int pass = 0; pass < latticePasses; ++pass)
+    {
+        smoothing.pass(mesh, towardsMean, [&](std::size_t v) { return stands[v] != 0; });
+    }
+}
+
 // Smooths what has been folded over, of those that may move, until nothing is, or as often as it helps.
 template<class May>
 void unfold(TriangleMesh& mesh, const std::vector<FootPlace>& places, const FootSmoothing& smoothing, const May& may)
@@ -172,77 +187,19 @@ void unfold(TriangleMesh& mesh, const std::vector<FootPlace>& places, const Foot
     }
 }
 
-// A third of the faces around each vertex, as vectors. freeAlone: at the contact line without those on the wall.
-std::vector<Vector3> areaVectors(const TriangleMesh& mesh, const std::vector<FootPlace>& places, bool freeAlone)
-{
-    std::vector<Vector3> areas(places.size());
-    for (const auto& face : mesh.faces)
-    {
-        const auto& [i, j, k] = face;
-        const Vector3 third = cross(mesh.vertices[j] - mesh.vertices[i], mesh.vertices[k] - mesh.vertices[i])/6;
-        const bool isFree = std::any_of(face.begin(), face.end(), [&](int v) { return places[v].role == Role::free; });
-        for (const int v : face)
-        {
-            if (isFree || !freeAlone || places[v].role != Role::line) areas[v] += third;
-        }
-    }
-    return areas;
-}
-
-std::vector<Vector3> normalsOf(const TriangleMesh& mesh, const std::vector<FootPlace>& places)
-{
-    std::vector<Vector3> normals = areaVectors(mesh, places, true);
-    for (std::size_t v = 0; v < normals.size(); ++v)
-    {
-        const double area = length(normals[v]);
-        normals[v] = area > 0 ? normals[v]/area : mesh.normals[v];
-    }
-    return normals;
-}
-
-// Where each vertex goes when the free surface moves by one: along its normal, at the contact line along the wall.
-std::vector<Vector3> waysOut(const TriangleMesh& mesh, const std::vector<FootPlace>& places)
-{
-    constexpr double flattest = 0.1;        // square of the sine of the contact angle that counts
-    std::vector<Vector3> ways = normalsOf(mesh, places);
-    for (std::size_t v = 0; v < ways.size(); ++v)
-    {
-        if (places[v].role == Role::wall) ways[v] = {};
-        if (places[v].role != Role::line) continue;
-        ways[v] -= dot(ways[v], places[v].wall->normal)*places[v].wall->normal;
-        ways[v] *= 1/std::max(squaredLength(ways[v]), flattest);
-    }
-    return ways;
-}
-
-// Moves the free surface until the mesh encloses that [m3], and returns by how much. NaN where that is farther than `most` [m]: then it stays.
-double fillTo(TriangleMesh& mesh, const std::vector<FootPlace>& places, double volume, double most)
-{
-    constexpr int turns = 8;
-    const std::vector<Vector3> ways = waysOut(mesh, places), start = mesh.vertices;
-    double offset = 0;
-    for (int turn = 0; turn < turns; ++turn)
-    {
-        const double missing = volume - mesh.volume();
-        if (std::abs(missing) <= 1e-5*std::abs(volume)) return offset;
-        double grows = 0;
-        const std::vector<Vector3> areas = areaVectors(mesh, places, false);
-        for (std::size_t v = 0; v < ways.size(); ++v) grows += dot(ways[v], areas[v]);
-        offset += missing/grows;
-        if (!(std::abs(offset) <= most)) break;
-        for (std::size_t v = 0; v < ways.size(); ++v) mesh.vertices[v] = start[v] + offset*ways[v];
-    }
-    mesh.vertices = start;
-    return std::nan("");
-}
-
-// Curved walls turn away from what was moved along their planes.
-void endOnWalls(TriangleMesh& mesh, const std::vector<FootPlace>& places, const WallsNear& walls, double reach)
+// Where the vertices are that have a wall within `reach` [m]. Those that are not free are put on it, or that part of their room away; those that have got into it too.
+void endOnWalls(TriangleMesh& mesh, std::vector<FootPlace>& places, const WallsNear& walls, double reach, double back)
 {
     forEachInParallel(places.size(), [&](std::size_t v)
     {
-        if (places[v].role == Role::free) return;
-        if (const auto wall = walls.at(mesh.vertices[v], reach)) mesh.vertices[v] -= wall->height*wall->normal;
+        FootPlace& place = places[v];
+        if (!place.wall) return;
+        if (const auto wall = walls.at(mesh.vertices[v], reach)) place.wall = wall;
+        else return;
+        if (place.role == Role::free && place.wall->height >= 0) return;
+        const double height = back*place.room;
+        mesh.vertices[v] += (height - place.wall->height)*place.wall->normal;
+        place.wall->height = height;
     });
 }
 
@@ -256,7 +213,8 @@ double CleanFoot::clean(TriangleMesh& mesh, const std::vector<Vector3>& particle
 {
     const double reach = stays*support_, most = 0.5*spacing_;
     if (mesh.faces.empty()) return volume > 0 ? std::nan("") : 0;
-    const std::vector<FootPlace> places = footPlaces(mesh, walls_, reach, wetted*spacing_);
+    const double own = mesh.volume();
+    std::vector<FootPlace> places = footPlaces(mesh, walls_, reach, spacing_);
     if (walls_.any())
     {
         const SmoothedLiquid liquid(particles, spacing_, wider*support_);
@@ -264,13 +222,16 @@ double CleanFoot::clean(TriangleMesh& mesh, const std::vector<Vector3>& particle
     }
     const FootSmoothing smoothing(mesh, places);
     smoothFoot(mesh, smoothing);
+    smoothLattice(mesh, smoothing, particles, spacing_);
     unfold(mesh, places, smoothing, [](std::size_t) { return true; });
-    endOnWalls(mesh, places, walls_, reach);
-    const double offset = fillTo(mesh, places, volume, most);
+    endOnWalls(mesh, places, walls_, reach, 0);
+    FootOffsets offsets = bringToVolume(mesh, places, volume, sinks*spacing_, most);
+    const bool isFar = std::isnan(offsets.free);
+    if (isFar) offsets = bringToVolume(mesh, places, own, sinks*spacing_, most);
     unfold(mesh, places, smoothing, [&](std::size_t v) { return places[v].role == Role::wall; });      // encloses the same
-    endOnWalls(mesh, places, walls_, reach);
-    mesh.normals = normalsOf(mesh, places);
-    return offset;
+    endOnWalls(mesh, places, walls_, reach, offsets.back);
+    mesh.normals = footNormals(mesh, places);
+    return isFar ? std::nan("") : offsets.free;
 }
 
 }

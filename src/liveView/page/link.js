@@ -47,7 +47,9 @@ class Link {
     send(text) {
         if (this.stored) {
             const [word, index] = text.split(" ");
-            if (word === "time") this.take(this.unpacked(this.stored.frames[+index]));
+            if (word !== "time") return;
+            if (this.stored.solids) this.take(this.unpacked(this.stored.solids[+index]));
+            this.take(this.unpacked(this.stored.frames[+index]));
         } else if (this.socket.readyState === WebSocket.OPEN) this.socket.send(text);
     }
 }

@@ -40,3 +40,19 @@ TEST_F(DropCase, RenderCaseMakesFilms)
     EXPECT_EQ(read("film.gif").substr(0, 6), "GIF89a");
     EXPECT_FALSE(fs::exists(path()/".film.gif.pictures"));
 }
+
+// Sides of 65 pixels are made even, as H.264 in 4:2:0 has it; two pictures at 4 a second last half a second. ffprobe, of the same package, decodes every picture.
+TEST_F(DropCase, RenderCaseMakesFilmsThatPlay)
+{
+    if (run("ffmpeg -version").status != 0) GTEST_SKIP() << "no ffmpeg";
+    writeTime("0", {drop(90)});
+    writeTime("0.01", {drop(100)});
+    const std::string film = (path()/"film.mp4").string();
+    const Outcome outcome = call("renderCase", "-size 65x65 -look plain -rate 4 -movie " + film);
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const Outcome probe = run("ffprobe -v error -count_frames -show_entries stream=codec_name,pix_fmt,width,height,nb_read_frames,duration -of default=nw=1 " + film);
+    EXPECT_EQ(probe.status, 0);
+    EXPECT_TRUE(holds(probe.text, {"codec_name=h264", "width=66", "height=66", "pix_fmt=yuv420p", "duration=0.5", "nb_read_frames=2"})) << probe.text;
+    const std::string head = read("film.mp4").substr(0, 4096);
+    EXPECT_LT(head.find("moov"), head.find("mdat")) << "players on the web want the index in front";
+}

@@ -13,12 +13,15 @@
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkXMLPPolyDataReader.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <set>
 
 using namespace shizuku;
@@ -27,6 +30,19 @@ namespace fs = std::filesystem;
 
 namespace
 {
+
+// By place, in units that single precision tells apart.
+std::map<std::array<long, 3>, double> curvatures(vtkPolyData& data)
+{
+    constexpr double unit = 1e-8;           // m
+    std::map<std::array<long, 3>, double> values;
+    for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i)
+    {
+        const double* x = data.GetPoint(i);
+        values[{std::lround(x[0]/unit), std::lround(x[1]/unit), std::lround(x[2]/unit)}] = data.GetPointData()->GetArray("curvature")->GetTuple1(i);
+    }
+    return values;
+}
 
 class ParallelTools : public DropCase
 {
@@ -219,6 +235,8 @@ TEST_F(ParallelTools, ASurfaceInPiecesIsConvertedAndDrawn)
     const std::string options = "-time 0.01 -look plain -size 200x120 -output ";
     ASSERT_EQ(call("renderCase", options + (path()/"mesh.png").string()).status, 0);
     const vtkIdType triangles = readVtp(path()/"0.01/surface/liquid.vtp")->GetNumberOfPolys();
+    ASSERT_EQ(call("shizukuToVTK").status, 0);
+    const std::map<std::array<long, 3>, double> whole = curvatures(*readVtp(path()/"VTK"/readPvd(path()/"VTK/surface.pvd").at(0).file));
     fs::remove_all(path()/"0.01/surface");
 
     ASSERT_EQ(callOn(2, "meshSurface", "-device cpu -time 0.01 -formats pvtp").status, 0);
@@ -232,7 +250,24 @@ TEST_F(ParallelTools, ASurfaceInPiecesIsConvertedAndDrawn)
         const std::vector<TimeSeriesEntry> entries = readPvd(path()/"VTK/surface.pvd");
         ASSERT_EQ(entries.size(), 1u);
         const auto file = path()/"VTK"/entries[0].file;
-        EXPECT_EQ((ranks == 1 ? readVtp(file) : readByVtk<vtkXMLPPolyDataReader>(file))->GetNumberOfPolys(), triangles);
+        const auto data = ranks == 1 ? readVtp(file) : readByVtk<vtkXMLPPolyDataReader>(file);
+        EXPECT_EQ(data->GetNumberOfPolys(), triangles);
+        for (const char* name : {"normals", "curvature", "theta", "U", "body"}) ASSERT_TRUE(data->GetPointData()->HasArray(name)) << name;
+        for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+        {
+            EXPECT_EQ(data->GetPointData()->GetArray("body")->GetTuple1(i), 1);
+            EXPECT_NEAR(data->GetPointData()->GetArray("U")->GetComponent(i, 0), 0.01*data->GetPoint(i)[2]/spacing, 0.0125);
+        }
+        // Those of the mesh in one piece; at the seam of two pieces, a hundredth of the vertices or two, means of their neighbours.
+        const std::map<std::array<long, 3>, double> pieces = curvatures(*data);
+        std::size_t same = 0;
+        for (const auto& [place, value] : pieces)
+        {
+            const auto found = whole.find(place);
+            same += found != whole.end() && std::abs(found->second - value) < 1e-2/spacing;
+        }
+        EXPECT_GT(double(same), 0.95*double(whole.size()));
+        EXPECT_NEAR(double(pieces.size()), double(whole.size()), 0.01*double(whole.size()));
     }
 }
 

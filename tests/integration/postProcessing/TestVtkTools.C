@@ -16,7 +16,9 @@
 #include <vtkPointData.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
+#include <set>
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -136,6 +138,24 @@ TEST_F(DropCase, VtkReadsEveryFileWithItsTime)
             EXPECT_EQ(times, (std::vector<double>{0, 0.01, 0.025}));
         }
     }
+}
+
+// Two drops, the larger one on the left. How numbers go on is TestDrops'.
+TEST_F(DropCase, ShizukuToVtkNumbersTheDrops)
+{
+    writeTime("0", {drop(90, 1000), drop(90, 500, 1.5e-3)});
+    writeTime("0.01", {drop(90, 1000), drop(90, 500, 1.5e-3)});
+    const auto bodies = [&](const std::string& file)
+    {
+        const auto data = readVtp(path()/"VTK/surface"/file);
+        std::map<int, std::set<bool>> sides;
+        for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) sides[int(data->GetPointData()->GetArray("body")->GetTuple1(i))].insert(data->GetPoint(i)[0] > 0);
+        return sides;
+    };
+    ASSERT_EQ(call("shizukuToVTK").status, 0);
+    const std::map<int, std::set<bool>> expected{{1, {false}}, {2, {true}}};
+    EXPECT_EQ(bodies("surface_0.vtp"), expected);
+    EXPECT_EQ(bodies("surface_1.vtp"), expected);
 }
 
 // U of the particles grows linearly with height, from 0.005 m/s half a spacing above the floor, by 0.01 m/s a spacing. So it does on the surface, but for what lies beyond
@@ -286,7 +306,7 @@ TEST_F(DropCase, RenderCaseShowsThePatternOfAFloor)
         EXPECT_EQ(outcome.status, 0) << outcome.text;
         const Picture picture(path()/"case.png");
         legend = picture.blueness(0.905, 0.32) - picture.blueness(0.905, 0.65);
-        return picture.blueness(0.5, 0.05) - picture.blueness(0.9, 0.05);
+        return picture.blueness(0.5, 0.095) - picture.blueness(0.9, 0.095);       // between the scale bar and its length
     };
     EXPECT_GT(difference(), 20);
     EXPECT_GT(legend, 20);                              // from the least angle to the largest
@@ -338,7 +358,7 @@ TEST_F(DropCase, RenderCaseTakesNoFaceOfABodyForAFloor)
     const Outcome outcome = call("renderCase", "-look plain -size 160x100 -view above");
     ASSERT_EQ(outcome.status, 0) << outcome.text;
     const Picture picture(path()/"case.png");
-    EXPECT_NEAR(picture.blueness(0.5, 0.05), picture.blueness(0.9, 0.05), 12);      // 20 and more with the pattern of a floor
+    EXPECT_NEAR(picture.blueness(0.5, 0.05), picture.blueness(0.65, 0.05), 12);      // 20 and more with the pattern of a floor
 }
 
 // The drop is 2 mm wide and stands at x = -1.5 mm: a tenth of a picture 20 mm wide, in the middle or where `centre` puts it.
@@ -357,6 +377,23 @@ TEST_F(DropCase, RenderCaseLooksWhereItIsTold)
     for (const std::string bad : {"-width 0", "-width -1", "-centre '(0 0)'", "-centre '(0 0 a)'", "-azimuth a"})
     {
         EXPECT_NE(call("renderCase", bad).status, 0) << bad;
+    }
+}
+
+// Ends at 0.97 of the width. 20 mm have a bar of 5, 30 mm too, and 50 mm one of 10.
+TEST_F(DropCase, RenderCaseDrawsAScaleBar)
+{
+    writeTime("0", {drop(90)});
+    for (const auto& [width, bar] : {std::pair("0.02", 5.0/20), std::pair("0.03", 5.0/30), std::pair("0.05", 10.0/50)})
+    {
+        ASSERT_EQ(call("renderCase", std::string("-look plain -size 240x150 -width ") + width).status, 0);
+        const Picture picture(path()/"case.png");
+        constexpr double row = (0.03*240 + 1.5)/150, pixel = 1.0/240;
+        constexpr double dark = 90, light = 150;
+        EXPECT_LT(picture.brightness(0.97 - 2*pixel, row), dark) << width;
+        EXPECT_LT(picture.brightness(0.97 - bar + 2*pixel, row), dark) << width;
+        EXPECT_GT(picture.brightness(0.97 + 2*pixel, row), light) << width;
+        EXPECT_GT(picture.brightness(0.97 - bar - 2*pixel, row), light) << width;
     }
 }
 

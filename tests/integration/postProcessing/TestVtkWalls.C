@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Analytic walls in files for ParaView and in pictures.
+// Analytic walls in files for ParaView and in pictures, and bodies that move in a browser.
 
 #include "DropCase.H"
 
@@ -8,10 +8,69 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
 
 using namespace shizuku;
 using namespace shizuku::test;
 namespace fs = std::filesystem;
+
+namespace
+{
+
+std::string fromBase64(const std::string& text)
+{
+    const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    unsigned group = 0;
+    int bits = 0;
+    for (const char digit : text)
+    {
+        if (digit == '=') break;
+        group = group << 6 | unsigned(digits.find(digit));
+        bits += 6;
+        if (bits < 8) continue;
+        bits -= 8;
+        bytes += char(group >> bits & 255);
+    }
+    return bytes;
+}
+
+// The lowest x of each message of solid particles in an exported page [m].
+std::vector<double> lowestOfSolids(const std::string& page)
+{
+    std::vector<double> lowest;
+    const std::size_t first = page.find("solids:[");
+    if (first == std::string::npos) return lowest;
+    std::istringstream list(page.substr(first + 8, page.find(']', first) - first - 8));
+    for (std::string message; std::getline(list, message, ',');)
+    {
+        const std::string bytes = fromBase64(message.substr(1, message.size() - 2)), key = "\"low\":[";
+        lowest.push_back(std::stod(bytes.substr(bytes.find(key) + key.size())));
+    }
+    return lowest;
+}
+
+}
+
+// In an exported page the floor's particles move with it, by 0.1 m/s; of a floor that stands still they are there once.
+TEST_F(DropCase, ShizukuViewExportsBodiesWhereTheyAre)
+{
+    for (const char* time : {"0", "0.01"}) writeTime(time, {drop(90)}, false);
+    const std::string page = (path()/"case.html").string();
+    const Outcome still = call("shizukuView", "-export " + page);
+    ASSERT_EQ(still.status, 0) << still.text;
+    EXPECT_TRUE(holds(read("case.html"), {"solid:\""}));
+    EXPECT_TRUE(lowestOfSolids(read("case.html")).empty());
+    write("constant/walls", "floor { type particles; surface \"floor.stl\"; motion { type translation; velocity (0.1 0 0); } }\n");
+    const Outcome moving = call("shizukuView", "-export " + page);
+    ASSERT_EQ(moving.status, 0) << moving.text;
+    const std::vector<double> lowest = lowestOfSolids(read("case.html"));
+    ASSERT_EQ(lowest.size(), 2u);
+    EXPECT_NEAR(lowest[0], -25*spacing, 1e-8);
+    EXPECT_NEAR(lowest[1], -25*spacing + 0.1*0.01, 1e-8);
+}
 
 // Analytic walls are meshes about the first liquid, where they are at each time: a ball that rises by 0.1 m/s, and a floor. The mesh is of single precision.
 TEST_F(DropCase, ShizukuToVtkShowsAnalyticWallsWhereTheyAre)

@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numbers>
+#include <random>
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -99,6 +101,62 @@ Line lineOf(const TriangleMesh& mesh)
     for (const double r : radii) line.roughness += (r - line.radius)*(r - line.radius)/line.vertices;
     line.roughness = std::sqrt(line.roughness);
     return line;
+}
+
+// Closed column of that radius [m] as a function of the azimuth, on z = 0, with a flat top.
+TriangleMesh column(double height, const std::function<double(double)>& radius)
+{
+    constexpr int around = 150;
+    const int up = int(height/(0.5*spacing)), inwards = 30;
+    TriangleMesh mesh;
+    const auto ring = [&](double z, double part)
+    {
+        for (int k = 0; k < around; ++k)
+        {
+            const double azimuth = 2*std::numbers::pi*k/around;
+            mesh.vertices.push_back({part*radius(azimuth)*std::cos(azimuth), part*radius(azimuth)*std::sin(azimuth), z});
+        }
+    };
+    for (int i = 1; i <= inwards; ++i) ring(0, double(i)/inwards);
+    for (int i = 1; i < up; ++i) ring(height*i/up, 1);
+    for (int i = inwards; i > 0; --i) ring(height, double(i)/inwards);
+    const int rings = int(mesh.vertices.size())/around, low = rings*around, high = low + 1;
+    mesh.vertices.push_back({0, 0, 0});
+    mesh.vertices.push_back({0, 0, height});
+    for (int k = 0; k < around; ++k)
+    {
+        const int l = (k + 1) % around;
+        mesh.faces.push_back({low, l, k});
+        mesh.faces.push_back({high, (rings - 1)*around + k, (rings - 1)*around + l});
+        for (int i = 0; i + 1 < rings; ++i)
+        {
+            mesh.faces.push_back({i*around + k, i*around + l, (i + 1)*around + l});
+            mesh.faces.push_back({i*around + k, (i + 1)*around + l, (i + 1)*around + k});
+        }
+    }
+    mesh.normals.assign(mesh.vertices.size(), {});
+    for (const auto& [i, j, k] : mesh.faces)
+    {
+        const Vector3 area = cross(mesh.vertices[j] - mesh.vertices[i], mesh.vertices[k] - mesh.vertices[i]);
+        for (const int v : {i, j, k}) mesh.normals[v] += area;
+    }
+    for (Vector3& n : mesh.normals) n = normalized(n);
+    return mesh;
+}
+
+// Of the vertices higher than that [m]: rms of their distance from the middle of their heights' sphere, a cap's.
+double lumps(const TriangleMesh& mesh, const Vector3& centre)
+{
+    double n = 0, sum = 0, squares = 0;
+    for (const Vector3& x : mesh.vertices)
+    {
+        if (x.z < 3*spacing) continue;
+        const double r = length(x - centre);
+        ++n;
+        sum += r;
+        squares += r*r;
+    }
+    return std::sqrt(std::max(0.0, squares/n - sum*sum/(n*n)));
 }
 
 }
@@ -218,4 +276,67 @@ TEST_F(CleanFootTest, EndsOnCurvedWalls)
     }
     EXPECT_LT(deepest, 0.01*spacing);           // of the free surface beside the line
     EXPECT_GT(onWall, 200);
+}
+
+// A lattice leaves half a spacing of room at a tube, in sixteen steps around it: the mesh is smooth, does not fill the room, and stays inside of the tube and on the floor.
+TEST_F(CleanFootTest, LeavesTheRoomThatALatticeLeavesAtATube)
+{
+    const double radius = 8*spacing, height = 12*spacing;
+    for (const double theta : {30.0, 150.0})
+    {
+        const auto near = walls("type cylinder; point (0 0 0); axis (0 0 1); radius 8e-4; liquid inside; } base { type plane; point (0 0 0); normal (0 0 1);", theta);
+        TriangleMesh mesh = column(height, [&](double azimuth) { return radius - spacing*(0.4 + 0.3*std::cos(16*azimuth)); });
+        std::vector<Vector3> particles;
+        for (int i = -8; i < 8; ++i)
+            for (int j = -8; j < 8; ++j)
+                for (int k = 0; k < 12; ++k)
+                {
+                    const Vector3 p = spacing*Vector3(i + 0.5, j + 0.5, k + 0.5);
+                    if (std::hypot(p.x, p.y) < radius - 0.5*spacing) particles.push_back(p);
+                }
+        const double volume = mesh.volume(), tube = std::numbers::pi*radius*radius*height;
+        ASSERT_LT(volume, 0.92*tube);
+        const double offset = CleanFoot(*near, spacing, support).clean(mesh, particles, volume);
+        EXPECT_LE(std::abs(offset), 0.5*spacing) << theta;              // what is not taken is NaN
+        EXPECT_NEAR(mesh.volume(), volume, 1e-3*volume) << theta;       // the last projection on curved walls is not corrected
+        EXPECT_TRUE(findDefects(mesh).none()) << theta;
+        double widest = 0, lowest = 1, narrowest = 1;
+        for (const Vector3& x : mesh.vertices)
+        {
+            const double r = std::hypot(x.x, x.y);
+            lowest = std::min(lowest, x.z);
+            widest = std::max(widest, r);
+            if (x.z > 3*spacing && x.z < 8*spacing) narrowest = std::min(narrowest, r);
+        }
+        EXPECT_LT(widest, radius + 1e-6*spacing) << theta;
+        EXPECT_GT(lowest, -1e-6*spacing) << theta;
+        EXPECT_GT(narrowest, radius - 0.5*spacing) << theta;            // steps of 0.6 spacings are smooth now
+    }
+}
+
+// Lumps of four spacings, as the steps of a lattice are: out where particles stand on one, and left where they have flowed.
+TEST_F(CleanFootTest, TakesTheStepsOfALatticeOut)
+{
+    const auto near = walls("type plane; point (0 0 0); normal (0 0 1);", 90);
+    const RoughCap drop(90, 4000*std::pow(spacing, 3));
+    const double radius = length(drop.mesh.vertices.front() - drop.cap.centre);
+    TriangleMesh lumpy = capMesh(drop.cap, 0.5*spacing);
+    lumpy.normals = drop.mesh.normals;
+    for (Vector3& x : lumpy.vertices)
+    {
+        const Vector3 s = 2*std::numbers::pi/(4*spacing)*x;
+        x += 0.2*spacing*std::sin(s.x)*std::sin(s.y)*std::cos(s.z)/radius*(x - drop.cap.centre);
+    }
+    const double before = lumps(lumpy, drop.cap.centre);
+    ASSERT_GT(before, 0.05*spacing);
+    std::vector<Vector3> flowed = drop.particles;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> off(-0.1*spacing, 0.1*spacing);
+    for (Vector3& x : flowed) x += {off(random), off(random), off(random)};
+    TriangleMesh still = lumpy, moved = lumpy;
+    CleanFoot(*near, spacing, support).clean(still, drop.particles, lumpy.volume());
+    CleanFoot(*near, spacing, support).clean(moved, flowed, lumpy.volume());
+    EXPECT_LT(lumps(still, drop.cap.centre), 0.6*before);             // steps reach over several such waves
+    EXPECT_GT(lumps(moved, drop.cap.centre), 0.8*before);
+    EXPECT_NEAR(still.volume(), lumpy.volume(), 1e-4*still.volume());
 }

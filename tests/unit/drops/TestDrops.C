@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "drops/BodyNumbers.H"
 #include "drops/DropTable.H"
 #include "drops/Drops.H"
 #include "caseFiles/WallPlane.H"
 #include "support/CapMesh.H"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -121,4 +124,43 @@ TEST(DropTable, TheAngleIsThatOfTheFitWhichFollowsTheSurface)
     EXPECT_EQ(methodOf(0.3, 0.25, 54), Answer("tangents", 54));
     EXPECT_EQ(methodOf(0.3, 0.25, none), Answer("cap", 55));
     EXPECT_EQ(methodOf(none, none, none).first, "none");
+}
+
+namespace
+{
+
+// A row of particles along x, a spacing of 1 apart.
+void addRow(std::vector<Vector3>& particles, double first, int n)
+{
+    for (int i = 0; i < n; ++i) particles.push_back({first + i, 0, 0});
+}
+
+}
+
+// Three rows in the order 4, 6, 5 have the numbers 3, 1, 2, the largest first. Then the rows of 4 and 6 merge, that of 5 breaks into 2 and 3, and a new one of 2 comes in; last, particles are in another order.
+TEST(BodyNumbers, StayWithTheParticles)
+{
+    BodyNumbers numbers(1);
+    std::vector<Vector3> particles;
+    addRow(particles, 0, 4);
+    addRow(particles, 10, 6);
+    addRow(particles, 30, 5);
+    std::vector<long> ids;
+    for (long id = 100; id < 115; ++id) ids.push_back(id);
+    EXPECT_EQ(numbers.next(particles, ids), (std::vector<int>{3, 3, 3, 3, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2}));
+
+    particles.clear();
+    addRow(particles, 6, 4);
+    addRow(particles, 10, 6);
+    addRow(particles, 30, 2);
+    addRow(particles, 40, 3);
+    addRow(particles, 60, 2);
+    ids.push_back(7);
+    ids.push_back(8);
+    const std::vector<int> later{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 2, 2, 2, 5, 5};
+    EXPECT_EQ(numbers.next(particles, ids), later);
+
+    std::reverse(particles.begin(), particles.end());
+    std::reverse(ids.begin(), ids.end());
+    EXPECT_EQ(numbers.next(particles, ids), std::vector<int>(later.rbegin(), later.rend()));
 }

@@ -93,7 +93,7 @@ protected:
         {
             if (command.kind == ViewCommand::Kind::stop) throw FatalInputError({}, "No \"stop\" here");
             ++obeyed_;
-            return {"{\"kind\":\"answer\"}", nullptr};
+            return {"{\"kind\":\"answer\"}", {}};
         })
     {
         const std::string url = server_.url();

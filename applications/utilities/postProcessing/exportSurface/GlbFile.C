@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "MovingSurface.H"
+// glb: binary glTF 2.0 (Khronos): one mesh of positions, normals and the attributes _VELOCITY and _BODY, with the material of water (KHR_materials_transmission,
+// KHR_materials_ior). A node turns z, which is up in a case, to y, which is up in glTF, and has the place of the mesh's centre, about which its numbers are.
+
+#include "MovingFormat.H"
 
 #include "core/fieldFile/AtomicFile.H"
 
@@ -76,7 +79,15 @@ constexpr int floats = 5126, words = 5125;                                      
 
 }
 
-void writeGlb(const std::filesystem::path& file, const MovingSurface& surface)
+class MovingGlb : public MovingFormat
+{
+public:
+    void write(const std::filesystem::path& file, const MovingSurface& surface) const override;
+};
+
+static const MovingFormatTable::Add<MovingGlb> registeredGlb{"glb"};
+
+void MovingGlb::write(const std::filesystem::path& file, const MovingSurface& surface) const
 {
     const TriangleMesh& mesh = surface.mesh;
     const MeshBox box = boxOf(mesh);
@@ -86,7 +97,13 @@ void writeGlb(const std::filesystem::path& file, const MovingSurface& surface)
     {
         for (const int corner : face) appendWord(indices, Word(corner));
     }
-    const std::string parts[]{packed(mesh.vertices, centre), packed(mesh.normals), packed(surface.velocities), indices};
+    std::string bodies;
+    for (const int body : surface.bodies)
+    {
+        const auto number = float(body);
+        bodies.append(reinterpret_cast<const char*>(&number), sizeof number);
+    }
+    const std::string parts[]{packed(mesh.vertices, centre), packed(mesh.normals), packed(surface.velocities), bodies, indices};
 
     std::ostringstream text;
     text << R"({"asset":{"version":"2.0","generator":"Shizuku exportSurface"},"scene":0,"scenes":[{"nodes":[0]}],"extensionsUsed":["KHR_materials_transmission","KHR_materials_ior"],)"
@@ -94,14 +111,14 @@ void writeGlb(const std::filesystem::path& file, const MovingSurface& surface)
          << R"(,"extras":{"time":)" << surface.time << "}}],"
          << R"("materials":[{"name":"water","pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0},)"
          << R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":1},"KHR_materials_ior":{"ior":1.333}}}],)"
-         << R"("meshes":[{"name":"liquid","primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"_VELOCITY":2},"indices":3,"material":0}]}],"accessors":[)";
-    for (int a = 0; a < 3; ++a)
+         << R"("meshes":[{"name":"liquid","primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"_VELOCITY":2,"_BODY":3},"indices":4,"material":0}]}],"accessors":[)";
+    for (int a = 0; a < 4; ++a)
     {
-        text << R"({"bufferView":)" << a << R"(,"componentType":)" << floats << R"(,"count":)" << mesh.vertices.size() << R"(,"type":"VEC3")";
+        text << R"({"bufferView":)" << a << R"(,"componentType":)" << floats << R"(,"count":)" << mesh.vertices.size() << R"(,"type":")" << (a < 3 ? "VEC3" : "SCALAR") << '"';
         if (a == 0) text << R"(,"min":)" << vectorText(box.low - centre) << R"(,"max":)" << vectorText(box.high - centre);
         text << "},";
     }
-    text << R"({"bufferView":3,"componentType":)" << words << R"(,"count":)" << 3*mesh.faces.size() << R"(,"type":"SCALAR"}],"bufferViews":[)";
+    text << R"({"bufferView":4,"componentType":)" << words << R"(,"count":)" << 3*mesh.faces.size() << R"(,"type":"SCALAR"}],"bufferViews":[)";
     std::string all;
     for (const std::string& part : parts)
     {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "MovingSurface.H"
+// ply: binary, float x y z nx ny nz vx vy vz body, with the time in a comment.
+
+#include "MovingFormat.H"
 
 #include "core/fieldFile/AtomicFile.H"
 
@@ -12,7 +14,15 @@ namespace shizuku
 
 static_assert(std::endian::native == std::endian::little, "binary PLY is written in the machine's byte order");
 
-void writeMovingPly(const std::filesystem::path& file, const MovingSurface& surface)
+class MovingPly : public MovingFormat
+{
+public:
+    void write(const std::filesystem::path& file, const MovingSurface& surface) const override;
+};
+
+static const MovingFormatTable::Add<MovingPly> registeredPly{"ply"};
+
+void MovingPly::write(const std::filesystem::path& file, const MovingSurface& surface) const
 {
     const TriangleMesh& mesh = surface.mesh;
     std::string bytes;
@@ -23,6 +33,7 @@ void writeMovingPly(const std::filesystem::path& file, const MovingSurface& surf
         {
             for (int c = 0; c < 3; ++c) append(float(v[c]));
         }
+        append(float(surface.bodies[i]));
     }
     for (const auto& face : mesh.faces)
     {
@@ -33,7 +44,7 @@ void writeMovingPly(const std::filesystem::path& file, const MovingSurface& surf
     {
         out << "ply\nformat binary_little_endian 1.0\ncomment lengths in metres, velocities in m/s\ncomment time " << surface.time << " s\n"
             << "element vertex " << mesh.vertices.size() << '\n';
-        for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "vx", "vy", "vz"}) out << "property float " << name << '\n';
+        for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "vx", "vy", "vz", "body"}) out << "property float " << name << '\n';
         out << "element face " << mesh.faces.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
         out.write(bytes.data(), std::streamsize(bytes.size()));
     });

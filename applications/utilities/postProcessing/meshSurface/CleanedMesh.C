@@ -12,8 +12,7 @@ CleanedMesh::CleanedMesh(const std::filesystem::path& casePath, double spacing, 
 
 double CleanedMesh::clean(TriangleMesh& mesh, const TimeFolder& time, double volume)
 {
-    if (!walls_.any()) return foot_.clean(mesh, {}, volume);
-    walls_.readTheta(time.value);
+    if (walls_.any()) walls_.readTheta(time.value);
     return foot_.clean(mesh, readLiquidPositions(time.path), volume);
 }
 

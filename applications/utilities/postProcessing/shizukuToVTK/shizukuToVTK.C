@@ -2,8 +2,8 @@
 // Converts a case to .vtp files and animations for ParaView: the liquid's particles, its surface, the solid particles.
 //
 //     VTK/liquid/liquid_<index>.vtp       particles: U [m/s], id, and every other field of <time>/liquid in its SI unit
-//     VTK/surface/surface_<index>.vtp     mesh of meshSurface: normals, curvature [1/m], theta [degrees] of the wall where it is near, NaN elsewhere, and the
-//                                         particles' fields (meshes/FieldsAt.H); in pieces with normals alone
+//     VTK/surface/surface_<index>.vtp     mesh of meshSurface: normals, curvature [1/m], theta [degrees] of the wall where it is near, NaN elsewhere, body
+//                                         (drops/BodyNumbers.H), and the particles' fields (meshes/FieldsAt.H)
 //     VTK/solid/solid_<index>.vtp         solid particles, where they are at the time: normals out of the solid, patch (its number), theta [degrees]
 //     VTK/walls/walls_<index>.vtp         analytic walls, where they are at the time, as meshes that look into the liquid: wall (its number); planes and cylinders end
 //                                         beside the liquid of the first time
@@ -17,7 +17,7 @@
 
 #include "AnalyticWalls.H"
 #include "LiquidFields.H"
-#include "meshes/FieldsAt.H"
+#include "SurfaceFields.H"
 
 #include "caseFiles/LiquidFiles.H"
 #include "caseFiles/SolidParticles.H"
@@ -25,8 +25,6 @@
 #include "core/arguments/runApplication.H"
 #include "core/messages/Progress.H"
 #include "core/time/Time.H"
-#include "drops/foot/WallsNear.H"
-#include "meshes/MeshCurvature.H"
 #include "meshes/PlyFile.H"
 #include "parallel/AllParts.H"
 #include "parallel/ParallelRun.H"
@@ -34,7 +32,6 @@
 #include "wallMotions/WallMotions.H"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <optional>
 
@@ -112,7 +109,8 @@ public:
         parts_(parts), case_(args.casePath()), all_(timeFolders(case_)), times_(selectTimes(args)), spacing_(readSpacing(case_)),
         fields_(times_, args.found("fields") ? std::optional(args.getList("fields")) : std::nullopt),
         liquid_(case_, "liquid", vtkEncodingFrom(args.get("format"))), surface_(case_, "surface", vtkEncodingFrom(args.get("format"))),
-        solid_(case_, "solid", vtkEncodingFrom(args.get("format"))), walls_(case_, "walls", vtkEncodingFrom(args.get("format")))
+        solid_(case_, "solid", vtkEncodingFrom(args.get("format"))), walls_(case_, "walls", vtkEncodingFrom(args.get("format"))),
+        surfaceFields_(case_, spacing_, fields_, parts)
     {
         if (parts.part() > 0) return;
         solidConverter_.emplace(case_);
@@ -169,53 +167,18 @@ private:
     // A surface that is one mesh is converted by one part.
     void addSurface(const TimeFolder& time, int index, int converter)
     {
-        if (std::filesystem::exists(liquidSurfaceFile(time.path)))
+        const auto mesh = liquidSurfaceFile(time.path), pieces = liquidSurfaceFile(time.path, "pvtp");
+        const bool isOne = std::filesystem::exists(mesh);
+        if (!isOne && !std::filesystem::exists(pieces)) return;
+        surfaceFields_.start(time);
+        VtpContent own;
+        inAllParts(parts_, [&]
         {
-            inAllParts(parts_, [&]
-            {
-                if (parts_.part() == converter) surface_.add(time.value, index, withFields(readPly(liquidSurfaceFile(time.path)), time), spacing_);
-                else surface_.addOther(time.value, index);
-            });
-        }
-        else if (const auto file = liquidSurfaceFile(time.path, "pvtp"); std::filesystem::exists(file))
-        {
-            TriangleMesh own;
-            inAllParts(parts_, [&] { own = ownPieces(file, parts_); });
-            surface_.addPiece(time.value, index, vtpOf(own), spacing_, parts_);
-        }
-    }
-
-    VtpContent withFields(const TriangleMesh& mesh, const TimeFolder& time)
-    {
-        VtpContent surface = vtpOf(mesh);
-        constexpr Dimensions perLength{{0, -1, 0, 0, 0, 0, 0}};
-        surface.pointFields.push_back({"curvature", FieldType::scalar, perLength, false, meanCurvature(mesh)});
-        addTheta(surface, time);
-        if (!std::filesystem::exists(time.path/"liquid/positions")) return surface;
-        const auto all = [](std::size_t n) { return ElementRange{0, n}; };
-        const std::vector<Vector3> particles = readLiquidPositions(time.path, all);
-        for (FieldData& field : fieldsAt(surface.points, particles, fields_.read(time.path, particles.size(), all), spacing_))
-        {
-            const auto same = [&](const FieldData& other) { return other.name == field.name; };
-            if (std::none_of(surface.pointFields.begin(), surface.pointFields.end(), same)) surface.pointFields.push_back(std::move(field));
-        }
-        return surface;
-    }
-
-    // What the case prescribes, where a wall is.
-    void addTheta(VtpContent& surface, const TimeFolder& time)
-    {
-        constexpr double near = 0.75;           // spacings
-        if (!near_) near_.emplace(case_, spacing_);
-        if (!near_->any()) return;
-        near_->readTheta(time.value);
-        FieldData theta{"theta", FieldType::scalar, dimensions::none, false, {}};
-        for (const Vector3& x : surface.points)
-        {
-            const auto wall = near_->at(x, near*spacing_);
-            theta.values.push_back(wall ? wall->theta : std::nan(""));
-        }
-        surface.pointFields.push_back(std::move(theta));
+            if (!isOne) own = surfaceFields_.of(ownPieces(pieces, parts_));
+            else if (parts_.part() == converter) surface_.add(time.value, index, surfaceFields_.of(readPly(mesh)), spacing_);
+            else surface_.addOther(time.value, index);
+        });
+        if (!isOne) surface_.addPiece(time.value, index, std::move(own), spacing_, parts_);
     }
 
     void finish() const
@@ -249,7 +212,7 @@ private:
     VtkSeries liquid_, surface_, solid_, walls_;
     std::optional<SolidConverter> solidConverter_;      // of part 0
     std::optional<AnalyticWalls> analytic_;             // of part 0
-    std::optional<WallsNear> near_;                     // of the part that converts a surface
+    SurfaceFields surfaceFields_;
 };
 
 }

@@ -24,6 +24,13 @@ std::vector<double> speedsAt(const TimeFolder& time, std::size_t particles)
     return speeds;
 }
 
+// Whether solid particles are elsewhere at another time, or have other angles.
+bool changesSolid(const std::filesystem::path& casePath, const std::vector<TimeFolder>& times)
+{
+    const auto first = findInstance(casePath, times.front().value, "solid/theta"), last = findInstance(casePath, times.back().value, "solid/theta");
+    return first != last || solidMoves(casePath);
+}
+
 // The tables below postProcessing whose rows are times, one row a time.
 std::map<std::string, std::map<double, double>> measuredValues(const std::filesystem::path& casePath)
 {
@@ -58,7 +65,7 @@ StoredCase::StoredCase(const Arguments& args)
     (
         args, [](const TimeFolder& time) { return std::filesystem::exists(time.path/"liquid/positions"); }, "liquid", "<time>/liquid/positions: run fillLiquid before"
     )),
-    spacing_(readSpacing(case_)), measured_(measuredValues(case_))
+    spacing_(readSpacing(case_)), solidChanges_(changesSolid(case_, times_)), measured_(measuredValues(case_))
 {}
 
 std::string StoredCase::scene(std::size_t stride) const
@@ -72,18 +79,24 @@ std::string StoredCase::scene(std::size_t stride) const
     return sceneText(case_, times_.front().value, "\"mode\":\"stored\",\"times\":[" + times + "]");
 }
 
-std::string StoredCase::solid() const
+std::string StoredCase::solid(std::size_t index, std::size_t limit) const
 {
-    const auto folder = findInstance(case_, times_.back().value, "solid/theta");
+    const double time = at(index).value;
+    const auto folder = findInstance(case_, time, "solid/theta");
     std::vector<double> theta;
     if (!folder.empty()) theta = readField(folder/"solid/theta").values;
-    return solidMessage(case_, times_.back().value, theta);
+    return solidMessage(case_, time, theta, limit);
+}
+
+const TimeFolder& StoredCase::at(std::size_t index) const
+{
+    if (index >= times_.size()) throw FatalInputError({}, "There is no stored time " + std::to_string(index), "0 to " + std::to_string(times_.size() - 1));
+    return times_[index];
 }
 
 std::string StoredCase::frame(std::size_t index, std::size_t limit) const
 {
-    if (index >= times_.size()) throw FatalInputError({}, "There is no stored time " + std::to_string(index), "0 to " + std::to_string(times_.size() - 1));
-    const TimeFolder& time = times_[index];
+    const TimeFolder& time = at(index);
     ViewFrame frame;
     frame.time = time.value;
     frame.spacing = spacing_;

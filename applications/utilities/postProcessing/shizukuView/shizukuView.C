@@ -21,6 +21,7 @@ namespace
 constexpr unsigned short usualPort = 8091;
 constexpr std::size_t shownParticles = 1'000'000, exportedParticles = 40'000;
 constexpr std::size_t exportedFrames = 60;
+constexpr std::size_t shownSolid = 400'000;
 
 std::string base64(const std::string& bytes)
 {
@@ -40,15 +41,18 @@ std::string base64(const std::string& bytes)
 void exportPage(const StoredCase& stored, const std::filesystem::path& file)
 {
     const std::string mark = "/*export*/";
-    std::string page = viewPage(), frames;
+    std::string page = viewPage(), frames, solids;
     const std::size_t stride = (stored.times() + exportedFrames - 1)/exportedFrames;
     Progress progress("Exporting");
     for (std::size_t i = 0; i < stored.times(); i += stride)
     {
         progress.update(double(i)/double(stored.times()));
-        frames.append(frames.empty() ? "\"" : ",\"").append(base64(stored.frame(i, exportedParticles))).append("\"");
+        const std::string separator = i == 0 ? "\"" : ",\"";
+        frames.append(separator).append(base64(stored.frame(i, exportedParticles))).append("\"");
+        if (stored.solidChanges()) solids.append(separator).append(base64(stored.solid(i, exportedParticles))).append("\"");
     }
-    page.replace(page.find(mark), mark.size(), "window.shizukuExport={scene:" + stored.scene(stride) + ",solid:\"" + base64(stored.solid()) + "\",frames:[" + frames + "]};");
+    const std::string solid = stored.solidChanges() ? "solids:[" + solids + "]" : "solid:\"" + base64(stored.solid(0, shownSolid)) + "\"";
+    page.replace(page.find(mark), mark.size(), "window.shizukuExport={scene:" + stored.scene(stride) + "," + solid + ",frames:[" + frames + "]};");
     writeAtomically(file, [&](std::ostream& stream) { stream << page; });
     std::cout << "\nWritten: " << file.string() << ", " << page.size()/1000 << " kB\n";
 }
@@ -60,11 +64,15 @@ void serve(const StoredCase& stored, const Arguments& args)
     ViewServer server(address, [&](const ViewCommand& command) -> ViewServer::Answer
     {
         if (command.kind != ViewCommand::Kind::time) throw FatalInputError({}, "A stored case cannot do that", "pbfDroplet -view, for a run");
-        return {{}, std::make_shared<const std::string>(stored.frame(std::size_t(command.value), shownParticles))};
+        const auto index = std::size_t(command.value);
+        ViewServer::Answer answer;
+        if (stored.solidChanges()) answer.frames.push_back(std::make_shared<const std::string>(stored.solid(index, shownSolid)));
+        answer.frames.push_back(std::make_shared<const std::string>(stored.frame(index, shownParticles)));
+        return answer;
     });
     server.keep("scene", stored.scene(1));
     server.keep("state", "{\"kind\":\"state\",\"state\":\"stored\"}");
-    server.keep("solid", stored.solid(), true);
+    server.keep("solid", stored.solid(0, shownSolid), true);
     std::cout << "View: " << server.url() << "\nCtrl-C ends it" << std::endl;
     while (signals.received().signal == 0) std::this_thread::sleep_for(std::chrono::milliseconds(100));
 }
