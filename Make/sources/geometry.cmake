@@ -101,6 +101,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     drops/foot/FootVolume.C
     drops/foot/LatticeLiquid.C
     drops/BodyNumbers.C
+    meshes/Creases.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.

@@ -2,7 +2,9 @@
 #include "vtk/ClearLiquid.H"
 
 #include "device/HostThreads.H"
+#include "meshes/Creases.H"
 #include "meshes/SmoothMesh.H"
+#include "vtk/PictureParts.H"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +29,7 @@ struct PixelRange
 
 ClearLiquid::ClearLiquid(const PictureScene& scene, const LiquidLook& look, double radius, const Studio& studio)
 :
-    scene_(scene), studio_(studio), liquid_(smoothMesh(scene.liquid, 0, normalPasses)), rays_(liquid_, look, 2*radius), walls_(scene.walls)
+    scene_(scene), studio_(studio), liquid_(smoothMesh(splitCreases(scene.liquid, creaseAngle), 0, normalPasses)), rays_(liquid_, look, 2*radius), walls_(scene.walls)
 {}
 
 // The floor's or the nearest place of a wall that is drawn by its surface.

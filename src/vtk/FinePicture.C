@@ -3,8 +3,10 @@
 
 #include "core/fieldFile/AtomicFile.H"
 #include "core/messages/Error.H"
+#include "meshes/Creases.H"
 #include "meshes/SmoothMesh.H"
 #include "vtk/OutsideProgram.H"
+#include "vtk/PictureParts.H"
 #include "vtk/StudioFloor.H"
 
 #include <cmath>
@@ -130,7 +132,7 @@ private:
                 << " fade_power 1001 fade_distance " << 2*part << " fade_color rgb " << vector(colour) << " }";
             if (look.blur < turbid) how << " photons { target reflection on refraction on collect off }";
         }
-        addMesh(smoothMesh(scene_.liquid, 0, smoothingPasses), how.str());
+        addMesh(smoothMesh(splitCreases(scene_.liquid, creaseAngle), 0, smoothingPasses), how.str());
     }
 
     void addMesh(const TriangleMesh& mesh, const std::string& how)

@@ -2,6 +2,7 @@
 #include "vtk/PictureParts.H"
 
 #include "core/angles/Degrees.H"
+#include "meshes/Creases.H"
 #include "meshes/SmoothMesh.H"
 #include "vtk/VtkConversion.H"
 
@@ -56,9 +57,9 @@ vtkSmartPointer<vtkGlyph3DMapper> spheresAt(const std::vector<Vector3>& centres,
 void addPlainLiquid(vtkRenderer& renderer, const TriangleMesh& mesh)
 {
     // Mirror images would show more of the particles' pattern than of the liquid's shape.
-    constexpr int positionPasses = 0, normalPasses = 15;
+    constexpr int normalPasses = 15;
     vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(toPolyData(smoothMesh(mesh, positionPasses, normalPasses)));
+    mapper->SetInputData(toPolyData(smoothMesh(splitCreases(mesh, creaseAngle), 0, normalPasses)));
     mapper->ScalarVisibilityOff();
 
     vtkNew<vtkActor> actor;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The mesh of pictures: bumps go, the body and its edges stay.
 #include "core/angles/Degrees.H"
+#include "meshes/Creases.H"
 #include "meshes/SmoothMesh.H"
 #include "support/CapMesh.H"
 
@@ -77,5 +78,39 @@ TEST(SmoothMesh, NormalsTurnAtAnEdgeOnly)
             const Vector3 exact = above ? normalized(x) : Vector3(0, 0, -1);
             EXPECT_GT(dot(smooth.normals[i], exact), std::cos(radians(5)));
         }
+    }
+}
+
+// Each of the 8 corners of a cube has three sides, whose normals are those of the faces whatever is averaged.
+TEST(Creases, ACubeHasSharpEdges)
+{
+    const TriangleMesh cube = cubeMesh(1);
+    const TriangleMesh split = splitCreases(cube, 60);
+    EXPECT_EQ(split.vertices.size(), 24u);
+    ASSERT_EQ(split.faces.size(), cube.faces.size());
+    for (std::size_t f = 0; f < cube.faces.size(); ++f)
+    {
+        for (int k = 0; k < 3; ++k) EXPECT_EQ(length(split.vertices[split.faces[f][k]] - cube.vertices[cube.faces[f][k]]), 0);
+    }
+    const TriangleMesh smooth = smoothMesh(split, 0, 5);
+    for (const auto& [i, j, k] : smooth.faces)
+    {
+        const Vector3 own = normalized(cross(smooth.vertices[j] - smooth.vertices[i], smooth.vertices[k] - smooth.vertices[i]));
+        for (const int v : {i, j, k}) EXPECT_NEAR(dot(smooth.normals[v], own), 1, 1e-12);
+    }
+    EXPECT_EQ(splitCreases(cube, 100).vertices.size(), 8u);
+}
+
+// Of a cap of 90 degrees vertices near the rim alone are split, which the mesh cuts obliquely within an edge's length. Of one of 150, whose faces meet at 30 degrees there, none is.
+TEST(Creases, ACapHasThemAtItsRim)
+{
+    constexpr double edge = 5e-5;
+    for (const double theta : {90.0, 150.0})
+    {
+        const TriangleMesh mesh = capMesh(capOfVolume(theta, 4e-9, {{0, 0, 0}, {0, 0, 1}}, {0, 0, 0}), edge), split = splitCreases(mesh, 60);
+        const std::size_t added = split.vertices.size() - mesh.vertices.size();
+        if (theta > 90) EXPECT_EQ(added, 0u);
+        else EXPECT_GT(added, 50u);             // of 156 edges around it
+        for (std::size_t v = mesh.vertices.size(); v < split.vertices.size(); ++v) EXPECT_LT(split.vertices[v].z, edge);
     }
 }
