@@ -288,7 +288,7 @@ TEST(TestParts, ThickLiquidHasTheBitsOfTheWhole)
 
 TEST(TestParts, HeldContactLinesHaveTheBitsOfTheWhole)
 {
-    Scene held{"default", "", true, 12};
+    Scene held{"default", "", true, 8};
     held.law = "law hysteresis; thetaAdv 100; thetaRec 60;";
     expectSameBits(held, {bisected(3)});
     held.sampled = false;
@@ -313,7 +313,7 @@ const std::vector<const char*> setsToCut
 
 TEST_P(TestPartsOfSet, HasTheBitsOfTheWhole)
 {
-    expectSameBits({GetParam(), "", true, 12}, {bisected(2), slabs(3, false), bisected(5)});
+    expectSameBits({GetParam(), "", true, 8}, {bisected(2), slabs(3, false), bisected(5)});
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, TestPartsOfSet, testing::ValuesIn(setsToCut), [](const auto& info) { return std::string(info.param); });
