@@ -4,13 +4,18 @@
 SHIZUKU_DIR, SHIZUKU_BUILD: the source tree, and where its programs were built.
 """
 
+import contextlib
+import io
+import json
 import os
+import re
 import struct
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
@@ -158,6 +163,35 @@ class Cases(InFolder):
             self.case.run()
         with self.assertRaisesRegex(shizuku.CaseError, "has no times"):
             self.case.field("liquid/U")
+
+
+class Notebook(InFolder):
+    """Its cells run, on a case of which each run has its table at once; pictures are left out."""
+
+    def test_cells_run_and_stored_outputs_are_of_these_cells(self):
+        cells = [cell for cell in json.loads((ROOT / "python/angles.ipynb").read_text())["cells"] if cell["cell_type"] == "code"]
+        base = shizuku.Case(ROOT / "tutorials" / "sessileDrop").clone(self.folder / "tutorials" / "sessileDrop")
+        rows = 'theta=$(caseDictionary constant/wettability -entry floor.theta -value)\nprintf "time [s],drop,contactAngle [deg]\\n0,1,0\\n1,1,%s\\n" "$theta" >'
+        table = "postProcessing/probeAngle/0/angle.csv"
+        self.file(base.path / "Allrun", f"#!/bin/sh\nmkdir -p {Path(table).parent}\n{rows} {table}\n").chmod(0o755)
+        (self.folder / "run").mkdir()
+        plot = mock.MagicMock()
+        places = {"SHIZUKU_TUTORIALS": str(self.folder / "tutorials"), "SHIZUKU_RUN": str(self.folder / "run")}
+        printed = io.StringIO()
+        with mock.patch.dict(os.environ, places), mock.patch.dict(sys.modules, {"matplotlib": mock.MagicMock(pyplot=plot), "matplotlib.pyplot": plot}), \
+                contextlib.redirect_stdout(printed):
+            scope = {}
+            for cell in cells:
+                exec("".join(cell["source"]), scope)
+        prescribed = [value for value, _ in scope["runs"]]
+        self.assertEqual(scope["measured"], prescribed)
+        plot.savefig.assert_called_once()
+
+        stored = "".join("".join(output["text"]) for cell in cells for output in cell["outputs"] if output["output_type"] == "stream")
+        self.assertEqual(re.findall(r"(\d+) degrees prescribed", stored), re.findall(r"(\d+) degrees prescribed", printed.getvalue()))
+        for value, measured in zip(prescribed, re.findall(r"([\d.]+) measured", stored)):
+            self.assertAlmostEqual(float(measured), value, delta=4)         # of so few particles; 3.6 was the most seen, at 75 degrees
+        self.assertTrue(any("image/png" in output.get("data", {}) for output in cells[-1]["outputs"]))
 
 
 class Wheel(InFolder):
