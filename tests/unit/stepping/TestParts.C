@@ -289,10 +289,10 @@ TEST(TestParts, ThickLiquidHasTheBitsOfTheWhole)
 TEST(TestParts, HeldContactLinesHaveTheBitsOfTheWhole)
 {
     Scene held{"default", "", true, 8};
-    held.law = "law hysteresis; thetaAdv 100; thetaRec 60;";
+    held.law = "law hysteresis; thetaAdv 80; thetaRec 75;";
     expectSameBits(held, {bisected(3)});
     held.sampled = false;
-    held.law = "law coxVoinov; thetaAdv 80; thetaRec 50;";
+    held.law = "law coxVoinov; thetaAdv 65; thetaRec 60;";
     expectSameBits(held, {bisected(4)});
 }
 

@@ -175,7 +175,7 @@ TEST(Restart, HasTheSameBitsWhereWallsHoldContactLines)
 {
     for (const bool sampled : {true, false})
     {
-        const Chosen held{.set = "default", .sampled = sampled, .law = "law hysteresis; thetaAdv 100; thetaRec 60;"};
+        const Chosen held{.set = "default", .sampled = sampled, .law = "law hysteresis; thetaAdv 80; thetaRec 75;"};
         expectRestart(held);
         Drop drop(held);
         drop.begin();
@@ -183,7 +183,7 @@ TEST(Restart, HasTheSameBitsWhereWallsHoldContactLines)
         const auto angles = drop.models->heldLine->angle().download();
         EXPECT_GT(std::count_if(angles.begin(), angles.end(), [](scalar angle) { return angle > 0; }), 10);
     }
-    expectRestart({.set = "default", .sampled = false, .law = "law coxVoinov; thetaAdv 80; thetaRec 50;"});
+    expectRestart({.set = "default", .sampled = false, .law = "law coxVoinov; thetaAdv 65; thetaRec 60;"});
 }
 
 // A plane across the way of the drop, askew to its rows: particles leave before and after the restart, and none comes back.
