@@ -194,9 +194,9 @@ public:
         if (!extended_)
         {
             extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
-            edges_.emplace(liquid.kernel(), liquid.kernel(), liquid.spacing());
             oneAngle_ = walls.oneContactAngle();
         }
+        if (!edges_ && walls.view(liquid).planes.edge.size > 0) edges_.emplace(liquid.kernel(), liquid.kernel(), liquid.spacing());
         push_.resizeDiscarding(liquid.all());
         const int sliding = walls.constraints().all() ? 0 : liquid.owned();
         order_.resizeDiscarding(oneAngle_ ? 0 : sliding);
@@ -282,7 +282,7 @@ private:
                 {
                     .W = W, .volume = V, .densityVolume = V / liquid.latticeSum(), .ordering = ordering_, .relaxation = controls_.relaxation,
                     .epsilon = controls_.epsilon, .perPressure = dt_ * dt_ / liquid.restDensity(), .x = liquid.predicted.span(), .near = near.view(),
-                    .walls = {extended_->view(), W.h, walls.view(liquid), edges_->view()}, .surface = surface_.view(), .plane = {plane_.span(), W.h},
+                    .walls = {extended_->view(), W.h, walls.view(liquid), edges_ ? edges_->view() : SampledEdgesView{}}, .surface = surface_.view(), .plane = {plane_.span(), W.h},
                     .pressure = std::as_const(pressure_).span(), .density = liquid.density.span(), .push = push_.span(), .order = order_.span(),
                     .stress = stress, .tangential = tangential
                 }, read, made);

@@ -282,11 +282,8 @@ public:
 private:
     void measure(const Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
-        if (!extended_)
-        {
-            extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
-            edges_.emplace(liquid.kernel(), liquid.kernel(), liquid.spacing());
-        }
+        if (!extended_) extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
+        if (!edges_ && walls.view(liquid).planes.edge.size > 0) edges_.emplace(liquid.kernel(), liquid.kernel(), liquid.spacing());
         const int room = surface_.particles().indices.size();
         deficiency_.resizeDiscarding(room);
         const scalar removed = surface_.agreed().orderRemoved;
@@ -358,7 +355,7 @@ private:
                 forEachTeam(surface_.particles(), MeasureDeficiency<Kernel, Stress>
                 {
                     W, liquid.particleVolume(), liquid.particleVolume() / liquid.latticeSum(), liquid.spacing(), surface_.agreed().ordering,
-                    liquid.predicted.span(), near.view(), {extended_->view(), W.h, walls.view(liquid), edges_->view()}, surface_.view(),
+                    liquid.predicted.span(), near.view(), {extended_->view(), W.h, walls.view(liquid), edges_ ? edges_->view() : SampledEdgesView{}}, surface_.view(),
                     {plane_.span(), W.h}, deficiency_.span(), stress, taken_.span()
                 });
             },
