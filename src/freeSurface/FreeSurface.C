@@ -225,7 +225,7 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
     if (!active()) return;
     makeRoom();
     if (!extended_) extended_.emplace(*kernel_, walls.contactAngles(kernel_->h));
-    if (!edges_ && walls.view(liquid).planes.edge.size > 0) edges_.emplace(*kernel_, liquid.kernel(), liquid.spacing());
+    edges_.follow(walls.view(liquid).planes, *kernel_, liquid);
     constexpr scalar oneSided = 0.225f;         // of the support; 0.375 for all of a half-space
     Buffer<std::uint8_t> isExposed(liquid.all()), isNear(liquid.all());
     forEachTeam(liquid.owned(), FindExposed
@@ -267,7 +267,7 @@ void FreeSurface::reconstruct(const Liquid& liquid, const Neighbourhood& near, c
     }
     forEachTeam(particles_, Reconstruct
     {
-        liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view(liquid), edges_ ? edges_->view() : SampledEdgesView{}}, plane(), steepest_, held_ ? held_->span() : Span<const scalar>{}},
+        liquid.predicted.span(), {{extended_->view(), kernel_->h, walls.view(liquid), edges_.view()}, plane(), steepest_, held_ ? held_->span() : Span<const scalar>{}},
         depthOfRatio_.span(), largestRatio_, suction_, particles_.before.span(), gradient_.span(), depth_.span(), position_.span(),
         foundContact_ ? contact_.span() : Span<ContactLine>{}, anyContact_.span()
     });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "freeSurface/SampledEdges.H"
 
+#include "walls/Walls.H"
+
 #include <algorithm>
 #include <cmath>
 
@@ -47,6 +49,11 @@ SampledEdges::SampledEdges(const KernelChoice& kernel, const KernelChoice& ofVol
         table[i] = {scalar(perVolume * plane / (twoPi * r)), scalar(-perVolume * (s * W + plane / (twoPi * r)) / (r * r))};
     }
     table_.upload(table);
+}
+
+void SampledEdges::follow(const WallPlanesView& planes, const KernelChoice& kernel, const Liquid& liquid)
+{
+    if (table_.size() == 0 && planes.edge.size > 0) *this = SampledEdges(kernel, liquid.kernel(), liquid.spacing());
 }
 
 }

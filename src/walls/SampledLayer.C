@@ -215,8 +215,10 @@ void SampledLayer::usePlanes(const Liquid& liquid, scalar reach)
     planes_.reset();
     // From the layer, half a spacing inside of the solid, with room for the patch that gives the plane.
     const scalar wanted = reach > 0 ? reach + 1.5f * liquid.spacing() : 0;
+    // Beside edges sums go over all solid particles within reach of the surface, half a spacing before them (freeSurface/SampledEdges.H).
+    const scalar halfSpacing = 0.5f * liquid.spacing(), ofSums = sharpness_ ? std::max(liquid.support(), reach + halfSpacing) : liquid.support();
     // Particles move, by less than half a spacing, after the lists are made.
-    if (wanted > liquid.support()) sort(liquid, std::max(liquid.support(), sharpness_ ? reach + 0.5f * liquid.spacing() : 0) + 0.5f * liquid.spacing(), wanted);
+    if (wanted > liquid.support()) sort(liquid, ofSums + halfSpacing, wanted);
     else sort(liquid, liquid.support(), liquid.support());
     if (reach > 0) planes_.emplace(grid_->view(), reach_, moving_.has_value());
 }

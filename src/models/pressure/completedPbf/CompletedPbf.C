@@ -196,7 +196,7 @@ public:
             extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
             oneAngle_ = walls.oneContactAngle();
         }
-        if (!edges_ && walls.view(liquid).planes.edge.size > 0) edges_.emplace(liquid.kernel(), liquid.kernel(), liquid.spacing());
+        edges_.follow(walls.view(liquid).planes, liquid.kernel(), liquid);
         push_.resizeDiscarding(liquid.all());
         const int sliding = walls.constraints().all() ? 0 : liquid.owned();
         order_.resizeDiscarding(oneAngle_ ? 0 : sliding);
@@ -282,7 +282,7 @@ private:
                 {
                     .W = W, .volume = V, .densityVolume = V / liquid.latticeSum(), .ordering = ordering_, .relaxation = controls_.relaxation,
                     .epsilon = controls_.epsilon, .perPressure = dt_ * dt_ / liquid.restDensity(), .x = liquid.predicted.span(), .near = near.view(),
-                    .walls = {extended_->view(), W.h, walls.view(liquid), edges_ ? edges_->view() : SampledEdgesView{}}, .surface = surface_.view(), .plane = {plane_.span(), W.h},
+                    .walls = {extended_->view(), W.h, walls.view(liquid), edges_.view()}, .surface = surface_.view(), .plane = {plane_.span(), W.h},
                     .pressure = std::as_const(pressure_).span(), .density = liquid.density.span(), .push = push_.span(), .order = order_.span(),
                     .stress = stress, .tangential = tangential
                 }, read, made);
@@ -341,7 +341,7 @@ private:
     scalar dt_ = 0;
     int iterations_ = 0;
     std::optional<ExtendedLiquid> extended_;
-    std::optional<SampledEdges> edges_;
+    SampledEdges edges_;
     bool oneAngle_ = false;
     std::optional<bool> givenAlongSurfaces_;
     bool alongSurfaces_ = false;            // in this step

@@ -283,7 +283,7 @@ private:
     void measure(const Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
         if (!extended_) extended_.emplace(liquid.kernel(), walls.contactAngles(surface_.support()));
-        if (!edges_ && walls.view(liquid).planes.edge.size > 0) edges_.emplace(liquid.kernel(), liquid.kernel(), liquid.spacing());
+        edges_.follow(walls.view(liquid).planes, liquid.kernel(), liquid);
         const int room = surface_.particles().indices.size();
         deficiency_.resizeDiscarding(room);
         const scalar removed = surface_.agreed().orderRemoved;
@@ -355,7 +355,7 @@ private:
                 forEachTeam(surface_.particles(), MeasureDeficiency<Kernel, Stress>
                 {
                     W, liquid.particleVolume(), liquid.particleVolume() / liquid.latticeSum(), liquid.spacing(), surface_.agreed().ordering,
-                    liquid.predicted.span(), near.view(), {extended_->view(), W.h, walls.view(liquid), edges_ ? edges_->view() : SampledEdgesView{}}, surface_.view(),
+                    liquid.predicted.span(), near.view(), {extended_->view(), W.h, walls.view(liquid), edges_.view()}, surface_.view(),
                     {plane_.span(), W.h}, deficiency_.span(), stress, taken_.span()
                 });
             },
@@ -365,7 +365,7 @@ private:
 
     Buffer<HalfSpaceValues> plane_;
     std::optional<ExtendedLiquid> extended_;        // of the density's kernel
-    std::optional<SampledEdges> edges_;
+    SampledEdges edges_;
     Buffer<KernelDeficiency> deficiency_;           // while the force is found, as t
     Buffer<scalar> taken_;
     SemiImplicitTension semiImplicit_;      // in steps longer than the capillary one
