@@ -22,18 +22,23 @@ const char* const wettabilityFile = "constant/wettability";
 const char* const sourcesFile = "constant/sources";
 const char* const wallsFile = "constant/walls";
 
+// may: what of that dictionary a run follows.
+[[noreturn]] void refuseChange(const EntryChange& change, const Dictionary& now, const std::string& may = "")
+{
+    throw FatalInputError
+    (
+        now.where(), "Entry '" + change.entry + "' was changed from " + change.before + " to " + change.after + ", which a run cannot follow",
+        change.before + ", or a new run" + may
+    );
+}
+
 // spacing, kernel and density make the particles what they are.
 void refuseFixed(const Dictionary& former, const Dictionary& now)
 {
     for (const EntryChange& change : differences(former, now))
     {
         const bool fixed = change.entry == "spacing" || change.entry == "rho" || change.entry.starts_with("kernel");
-        if (!fixed) continue;
-        throw FatalInputError
-        (
-            now.where(), "Entry '" + change.entry + "' was changed from " + change.before + " to " + change.after
-          + ", which a run cannot follow", change.before + ", or a new run"
-        );
+        if (fixed) refuseChange(change, now);
     }
 }
 
@@ -43,25 +48,18 @@ void refuseOtherWalls(const std::vector<EntryChange>& changes, const Dictionary&
     for (const EntryChange& change : changes)
     {
         const std::vector<std::string> names = now.dictKeys();
-        if (std::any_of(names.begin(), names.end(), [&](const std::string& wall) { return change.entry.starts_with(wall + ".motion."); })) continue;
-        throw FatalInputError
-        (
-            now.where(), "Entry '" + change.entry + "' was changed from " + change.before + " to " + change.after + ", which a run cannot follow",
-            change.before + ", or a new run; of walls a run follows `motion` alone"
-        );
+        const bool isMotion = std::any_of(names.begin(), names.end(), [&](const std::string& wall) { return change.entry.starts_with(wall + ".motion."); });
+        if (!isMotion) refuseChange(change, now, "; of walls a run follows `motion` alone");
     }
 }
 
 // Sources are where and what the run began with, but for how fast liquid comes in.
 void refuseOtherSources(const std::vector<EntryChange>& changes, const Dictionary& now)
 {
-    const auto other = std::find_if(changes.begin(), changes.end(), [](const EntryChange& change) { return !Sources::mayChange(change.entry); });
-    if (other == changes.end()) return;
-    throw FatalInputError
-    (
-        now.where(), "Entry '" + other->entry + "' was changed from " + other->before + " to " + other->after + ", which a run cannot follow",
-        other->before + ", or a new run; of sources a run follows flowRate, velocity, rate and speed alone"
-    );
+    for (const EntryChange& change : changes)
+    {
+        if (!Sources::mayChange(change.entry)) refuseChange(change, now, "; of sources a run follows flowRate, velocity, rate and speed alone");
+    }
 }
 
 // A contact angle of the whole field, or its range, in degrees.
