@@ -2,7 +2,7 @@
 // How long may a sub-step be?
 //
 // maxCapillaryCo, in capillary steps sqrt(rho d^3/(2 pi sigma)): the longest one of the stored studies up to which the
-// answer and the volume stay within the tolerance, and which is calm as a fixed step (doc/studies.md, stepAngle).
+// answer and the volume stay within the tolerance, and which is calm as a fixed step (doc/studies.md, longSteps).
 
 #include "advice/Rule.H"
 
