@@ -3,6 +3,7 @@
 
 #include "core/angles/Degrees.H"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -31,6 +32,30 @@ void refuseForeignTypes(const Dictionary& dict)
     throw FatalInputError(dict.where("type"), "'" + type + "' of " + dict.name() + " is a boundary condition of OpenFOAM", expected);
 }
 
+// A law that is named where a distribution of angles would be.
+void refuseLawAsType(const Dictionary& dict)
+{
+    const auto type = dict.lookupOr<std::string>("type", "constant");
+    const auto laws = ContactAngleLawTable::words(), distributions = ThetaModelTable::words();
+    const auto has = [&](const std::vector<std::string>& words) { return std::find(words.begin(), words.end(), type) != words.end(); };
+    if (!has(laws) || has(distributions)) return;
+    throw FatalInputError(dict.where("type"), "'" + type + "' of " + dict.name() + " is a contact-angle law, no distribution of angles", "law " + type + "; in place of type " + type + ";");
+}
+
+// Angles of a law where no law is named.
+void refuseAnglesWithoutLaw(const Dictionary& dict)
+{
+    for (const std::string key : {"thetaAdv", "thetaRec", "theta0", "uTheta"})
+    {
+        if (!dict.found(key)) continue;
+        throw FatalInputError
+        (
+            dict.where(key), "'" + key + "' of " + dict.name() + " belongs to a contact-angle law, and none is named",
+            "law hysteresis; with thetaAdv and thetaRec, or another law; or theta alone", ContactAngleLawTable::words()
+        );
+    }
+}
+
 }
 
 LawAngle::LawAngle(const Dictionary& dict, const std::string& key, const std::filesystem::path& casePath)
@@ -48,8 +73,19 @@ LawAngle::LawAngle(const Dictionary& dict, const std::string& key, const std::fi
 std::unique_ptr<ContactAngleLaw> readLaw(const Dictionary& dict, const std::filesystem::path& casePath)
 {
     refuseForeignTypes(dict);
+    refuseLawAsType(dict);
     const auto word = dict.lookupOr<std::string>("law", "constant");
-    if (word == "constant") return nullptr;
+    if (word == "constant")
+    {
+        refuseAnglesWithoutLaw(dict);
+        return nullptr;
+    }
+    if (const auto laws = ContactAngleLawTable::words(); std::find(laws.begin(), laws.end(), word) == laws.end())
+    {
+        std::vector<std::string> choices{"constant"};
+        choices.insert(choices.end(), laws.begin(), laws.end());
+        throw FatalInputError(dict.where("law"), "Unknown contact-angle law '" + word + "'", "one of the laws below", choices, word);
+    }
     auto law = ContactAngleLawTable::New("law", word, dict.where("law"), dict, casePath);
     if (law->isUniform()) law->at({});      // whose order is checked at once
     return law;

@@ -88,6 +88,21 @@ FatalInputError::FatalInputError
     where_(where)
 {}
 
+namespace
+{
+
+// The one choice that begins with `word`, of four letters at the least: newtonian for newton; or "".
+std::string continued(const std::string& word, const std::vector<std::string>& choices)
+{
+    constexpr std::size_t least = 4;
+    if (word.size() < least) return "";
+    const auto begins = [&](const std::string& choice) { return lower(choice).starts_with(lower(word)); };
+    const auto first = std::find_if(choices.begin(), choices.end(), begins);
+    return first != choices.end() && std::count_if(choices.begin(), choices.end(), begins) == 1 ? *first : "";
+}
+
+}
+
 std::string nearestWord(const std::string& word, const std::vector<std::string>& choices)
 {
     constexpr std::size_t longest = 100;        // letters of a word that somebody typed
@@ -106,7 +121,7 @@ std::string nearestWord(const std::string& word, const std::vector<std::string>&
             nearest = choice;
         }
     }
-    return nearest;
+    return nearest.empty() ? continued(word, choices) : nearest;
 }
 
 void warning(const std::string& message, const SourceLocation& where)

@@ -100,6 +100,19 @@ TEST(ContactAngleLaw, BadEntriesAreRefused)
     EXPECT_TRUE(holds(refusal("law coxVoinov; theta0 60; slipLength -1;"), {"slipLength"}));
 }
 
+TEST(ContactAngleLaw, ALawThatIsNamedByTypeIsAnsweredWithTheKeyword)
+{
+    for (const std::string law : {"hysteresis", "coxVoinov", "kistler", "dynamic"})
+    {
+        EXPECT_TRUE(holds(refusal("type " + law + "; thetaAdv 80; thetaRec 50;"), {law, "law " + law + "; in place of type"}));
+    }
+}
+
+TEST(ContactAngleLaw, AnglesOfALawNeedOne)
+{
+    EXPECT_TRUE(holds(refusal("theta 70; thetaAdv 80;"), {"thetaAdv", "none is named", "law hysteresis"}));
+}
+
 TEST(ContactAngleLaw, OpenFOAMsWordsAreAnsweredWithTheLaw)
 {
     EXPECT_TRUE(holds(refusal("type dynamicAlphaContactAngle; theta0 90; uTheta 1; thetaA 70; thetaR 110;"), {"OpenFOAM", "law dynamic", "thetaAdv"}));

@@ -231,8 +231,7 @@ void renderTime(const Arguments& args, const TimeFolder& time, const PictureView
 {
     const std::string angle = angleCaption(args.casePath(), time.value);
     renderPicture(sceneOf(args, time, angle), view, file);
-    std::cout << "Time = " << time.name << "\n" << (hasSurface(time) ? "" : "No surface: particles are drawn. meshSurface makes one\n") << angle
-              << (angle.empty() ? "" : "\n");
+    std::cout << "Time = " << time.name << "\n" << angle << (angle.empty() ? "" : "\n");
 }
 
 void renderMovie(const Arguments& args, const std::vector<TimeFolder>& times, const PictureView& view)
@@ -248,6 +247,16 @@ void renderMovie(const Arguments& args, const std::vector<TimeFolder>& times, co
     std::cout << "Written: " << std::filesystem::absolute(args.get("movie")).string() << ", " << times.size() << " pictures" << std::endl;
 }
 
+// Once for all times: a film has many.
+void tellOfParticles(const std::vector<TimeFolder>& times)
+{
+    const auto without = std::count_if(times.begin(), times.end(), [](const TimeFolder& time) { return !hasSurface(time); });
+    if (without == 0) return;
+    std::cout << "No surface";
+    if (times.size() > 1) std::cout << " at " << without << " of " << times.size() << " times";
+    std::cout << ": particles are drawn. Run meshSurface before renderCase for a surface\n";
+}
+
 void render(const Arguments& args)
 {
     if (args.found("movie") && args.found("output")) throw FatalInputError({}, "Both -movie and -output are given", "one of them");
@@ -256,6 +265,7 @@ void render(const Arguments& args)
     if (times.size() > 1) view.frame = boundsOf(times);
     std::vector<std::filesystem::path> files;
     for (const TimeFolder& time : times) files.push_back(fileOf(args, time, times.size() > 1));
+    tellOfParticles(times);
     const VirtualDisplay display;
     if (args.found("movie"))
     {

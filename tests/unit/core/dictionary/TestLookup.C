@@ -236,6 +236,9 @@ TEST(Error, FindsTheNearestWord)
     EXPECT_EQ(nearestWord("foo", {"cos", "rho"}), "");              // two wrong letters of three are another word,
     EXPECT_EQ(nearestWord("plain", {"plane", "sphere"}), "plane");  // of five are not
     EXPECT_EQ(nearestWord("x", {"y"}), "");
+    EXPECT_EQ(nearestWord("newton", {"newtonian", "none"}), "newtonian");     // three letters short
+    EXPECT_EQ(nearestWord("surf", {"surfaceTension", "surfaceEnergy"}), "");   // of two
+    EXPECT_EQ(nearestWord("non", {"nonconforming"}), "");                      // too short to mean one
     EXPECT_EQ(nearestWord("", {"a"}), "");
 }
 
