@@ -90,6 +90,19 @@ TEST(Population, WhatIsInANozzleIsALatticeThatMovesRigidly)
     EXPECT_NEAR(least, 1e-3, 1e-6);
 }
 
+// Also where sums of products are rounded once: the square of a place on the axis less that of its depth is then as often below zero as above.
+TEST(Population, AStreamWithoutAHoleHasItsAxis)
+{
+    const Stream stream{{0, 0, 4.123}, {0, 0, -1}, 5, 0, 2, 1};
+    for (int k = 0; k < 1000; ++k)
+    {
+        const scalar z = scalar(4.1) - scalar(k)*scalar(4.7e-3);
+        EXPECT_TRUE(stream.contains(Place{} + Vec3{0, 0, z})) << "z = " << z;
+    }
+    EXPECT_FALSE(stream.contains(Place{} + Vec3{0, 0, scalar(4.2)}));
+    EXPECT_FALSE(stream.contains(Place{} + Vec3{scalar(2.1), 0, 0}));
+}
+
 TEST(Population, ATableChangesTheFlowAndARingIsHollow)
 {
     SourceScene scene("tap { type nozzle; mouth (0 0 0.02); direction (0 0 -1); radius 4e-3; innerRadius 2e-3; velocity { times (0 0.1 0.2); values (0 0.1 0); } }");
