@@ -147,4 +147,6 @@ set(SHIZUKU_DEVICE_SOURCES
     walls/WallEntries.C
     models/reactions/WallReactions.C
     functionObjects/wallForces/WallForces.C
+    sources/Pool.C
+    sources/Reservoir.C
 )

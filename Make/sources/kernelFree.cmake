@@ -77,4 +77,5 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     walls/WallsAtSides.C
     walls/WallEntries.C
     functionObjects/wallForces/WallForces.C
+    sources/Reservoir.C
 )

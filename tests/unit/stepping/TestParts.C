@@ -352,13 +352,15 @@ TEST(TestParts, AllSetsAreCut)
     EXPECT_EQ(folders, std::vector<std::string>(setsToCut.begin(), setsToCut.end()));
 }
 
-// A nozzle above one end of the liquid, a needle below it that draws, and rain beside it: a particle has the number and the place that the whole gives it.
+// A nozzle above one end of the liquid, a needle below it that draws, rain and a pool that fills beside it, and a box from whose top it goes: a particle has the number and the place that the whole gives it.
 TEST(TestParts, LiquidThatComesInHasTheBitsOfTheWhole)
 {
     const std::string sources =
         "tap { type nozzle; mouth (0 12e-3 8e-3); direction (0 -0.3 -1); radius 2e-3; flowRate 8e-6; }\n"
         "needle { type needle; mouth (0 -3e-3 0); direction (0 0 1); radius 1.5e-3; flowRate -3e-6; }\n"
-        "shower { type rain; rate 3; corner (-8e-3 -25e-3 16e-3); along (16e-3 0 0); across (0 12e-3 0); direction (0 0 -1); speed 1; sizes { type oneSize; diameter 3e-3; } }\n";
+        "shower { type rain; rate 3; corner (-8e-3 -25e-3 16e-3); along (16e-3 0 0); across (0 12e-3 0); direction (0 0 -1); speed 1; sizes { type oneSize; diameter 3e-3; } }\n"
+        "filled { type reservoir; min (-6e-3 20e-3 0); max (6e-3 30e-3 8e-3); direction (0 0 1); level 3e-3; relaxationTime 5e-3; }\n"
+        "emptied { type reservoir; min (-3e-3 1e-3 0); max (3e-3 5e-3 12e-3); direction (0 0 1); level 6e-3; relaxationTime 5e-3; }\n";
     expectSameBits({.set = "default", .sampled = false, .steps = 12, .sources = sources}, {slabs(1, false), bisected(2), bisected(3), bisected(5)});
     expectSameBits({.set = "Akinci2013", .sampled = true, .steps = 12, .sources = sources}, {bisected(3)});
 }
