@@ -65,6 +65,7 @@ set(SHIZUKU_DEVICE_TESTS
     parallel/TestCheckedParts.C
     particles/TestFieldRegistry.C
     particles/TestParticleFiles.C
+    particles/TestUnfold.C
     particles/TestUnits.C
     population/TestPopulation.C
     stepping/TestCaseSetup.C
