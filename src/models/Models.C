@@ -79,17 +79,17 @@ void Models::holdLines(const std::filesystem::path& casePath, Liquid& liquid)
     freeSurface->hold(heldLine->angle());
 }
 
-void Models::refuseGhostBlind(const std::string& what) const
+void Models::refuseGhostBlind(Liquid& liquid, const std::string& what) const
 {
     for (const ModelKind& kind : modelKinds())
     {
         const std::string word = kind.chosen(dict);
-        if (word == "none" || kind.chosenOf(*this).seesGhosts()) continue;
+        if (word == "none" || kind.chosenOf(*this).readsOfNeighbours(liquid)) continue;
         throw FatalInputError
         (
             dict.where(kind.keyword),
-            what + " with " + kind.keyword + " " + word + ": the model does not say that it sees ghost particles",
-            "a model whose seesGhosts() is true, as those of this program are; or one process, and open sides"
+            what + " with " + kind.keyword + " " + word + ": the model does not say what it reads of ghost particles",
+            "a model with readsOfNeighbours(), as those of this program are; or one process, and open sides"
         );
     }
 }

@@ -259,7 +259,11 @@ public:
 
     void complete() override { steady_.complete(); }
 
-    bool seesGhosts() const override { return true; }
+    // From the first correction on displace() gives ghosts their places.
+    std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override
+    {
+        return iterations_ == 0 ? Columns{placesOf(liquid.predicted)} : Columns{};
+    }
     int iterations() const override { return iterations_; }
     const Buffer<scalar>* keepPressure() override { return &pressure_; }
 
@@ -274,12 +278,8 @@ private:
         Liquid& liquid, const Neighbourhood& near, const Walls& walls, const Stress& stress, const Tangential& tangential
     )
     {
-        Columns read, made{numbersOf(liquid.predicted)};
-        if (Stress::present)
-        {
-            read.push_back(placesOf(liquid.predicted));
-            made.push_back(valuesOf(stress_, Column::Kind::deviators));
-        }
+        Columns made{numbersOf(liquid.predicted)};
+        if (Stress::present) made.push_back(valuesOf(stress_, Column::Kind::deviators));
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -292,7 +292,7 @@ private:
                     .walls = {extended_->view(), W.h, walls.view(liquid), edges_.view()}, .surface = surface_.view(), .plane = {plane_.span(), W.h},
                     .pressure = std::as_const(pressure_).span(), .density = liquid.density.span(), .push = push_.span(), .order = order_.span(),
                     .stress = stress, .tangential = tangential
-                }, read, made);
+                }, {}, made);
             },
             liquid.kernel()
         );

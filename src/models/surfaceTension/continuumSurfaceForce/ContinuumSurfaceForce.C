@@ -95,7 +95,7 @@ public:
         CurvatureTension(coeffs, liquid, surface)
     {}
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
 
 private:
     void add

@@ -276,7 +276,7 @@ public:
         surface.agreed().closest = halfOfLayers;
     }
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
     int parts(scalar dt) const override { return semiImplicit_.parts(dt); }
 
 private:
