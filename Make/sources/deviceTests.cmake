@@ -69,6 +69,7 @@ set(SHIZUKU_DEVICE_TESTS
     particles/TestUnits.C
     population/TestPopulation.C
     stepping/TestCaseSetup.C
+    stepping/TestDeclaredReads.C
     stepping/TestParts.C
     stepping/TestRestart.C
     stepping/TestSides.C

@@ -156,9 +156,10 @@ Cut runCut(const Scene& scene, const RowCut& cut)
         CutDrop drop(scene);
         if (parts.part() > 0) drop.liquid.resize(0);            // the first search brings them what is theirs
         drop.liquid.ghosts().join(parts);
+        drop.liquid.ghosts().poisonUndeclared();
         drop.near.cut(cut, 100);            // in several rounds
         if (!sharesAsWhole()) drop.walls.cut(cut.rowsOf(parts.part()), drop.near.grid().view());    // as the solver
-        drop.models->refuseGhostBlind("The liquid cannot be cut into parts");
+        drop.models->refuseGhostBlind(drop.liquid, "The liquid cannot be cut into parts");
         const std::vector<State> own = drop.run(scene.steps);
         const std::lock_guard lock(mutex);
         for (std::size_t k = 0; k < own.size(); ++k)
@@ -185,10 +186,13 @@ int differing(const State& a, const State& b)
 }
 
 // A model of a user's, which reads neighbours as one process sees them.
-class OfOneProcess : public ParticleShifting
+class OfOneProcess : public Pressure
 {
 public:
-    void apply(Liquid&, const Neighbourhood&, const Walls&) override {}
+    void begin(scalar) override {}
+    bool converged(Liquid&, const Neighbourhood&, const Walls&) override { return true; }
+    void correct(Liquid&, const Neighbourhood&, const Walls&) override {}
+    int iterations() const override { return 0; }
 };
 
 // In quanta along an axis.
@@ -464,17 +468,17 @@ TEST(TestParts, SolidParticlesAreThoseOfTheRows)
 
 TEST(TestParts, ModelsThatDoNotSayThatTheySeeGhostsAreRefused)
 {
-    CutDrop drop({"default", "particleShifting closePairs;", false, 1});
-    drop.models->refuseGhostBlind("The liquid cannot be cut into parts");
-    drop.models->particleShifting = std::make_unique<OfOneProcess>();
+    CutDrop drop({"default", "", false, 1});
+    drop.models->refuseGhostBlind(drop.liquid, "The liquid cannot be cut into parts");
+    drop.models->pressure = std::make_unique<OfOneProcess>();
     try
     {
-        drop.models->refuseGhostBlind("The liquid cannot be cut into parts");
+        drop.models->refuseGhostBlind(drop.liquid, "The liquid cannot be cut into parts");
         FAIL();
     }
     catch (const FatalInputError& error)
     {
-        EXPECT_NE(std::string(error.what()).find("cannot be cut into parts with particleShifting closePairs"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("cannot be cut into parts with pressure completedPbf"), std::string::npos) << error.what();
     }
 }
 
