@@ -147,4 +147,7 @@ set(SHIZUKU_DEVICE_SOURCES
     walls/WallEntries.C
     models/reactions/WallReactions.C
     functionObjects/wallForces/WallForces.C
+    models/reactions/BodyReaction.C
+    stepping/FloatingBody.C
+    functionObjects/sixDoFRigidBodyState/SixDoFRigidBodyState.C
 )

@@ -77,4 +77,6 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     walls/WallsAtSides.C
     walls/WallEntries.C
     functionObjects/wallForces/WallForces.C
+    stepping/FloatingBody.C
+    functionObjects/sixDoFRigidBodyState/SixDoFRigidBodyState.C
 )
