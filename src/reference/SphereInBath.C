@@ -22,7 +22,7 @@ constexpr double pi = std::numbers::pi;
 template<class F>
 double rootOf(const F& f, double low, double high)
 {
-    constexpr int halvings = 60;
+    constexpr int halvings = 45;
     for (int k = 0; k < halvings; ++k)
     {
         const double middle = 0.5*(low + high);
@@ -35,7 +35,7 @@ double rootOf(const F& f, double low, double high)
 template<class F>
 std::optional<double> firstRootOf(const F& f)
 {
-    constexpr double first = 4, step = 4;
+    constexpr double first = 6, step = 12;
     if (!(f(first) < 0)) return {};
     for (double phi = first + step; phi < 180; phi += step) if (f(phi) >= 0) return rootOf(f, phi - step, phi);
     return {};
@@ -62,7 +62,7 @@ SphereInBath::SphereInBath(double bathRadius, double radius, double capillaryLen
 // That with which the surface comes to the wall; or half a turn where it does not.
 double SphereInBath::slopeAtWall(double r, double z, double psi) const
 {
-    const double step = 1e-2*std::min(capillaryLength_, bathRadius_ - radius_), l2 = capillaryLength_*capillaryLength_;
+    const double step = 2e-2*std::min(capillaryLength_, bathRadius_ - radius_), l2 = capillaryLength_*capillaryLength_;
     const auto along = [&](const Point& at, const Point& change, double ds) { return Point{at.r + ds*change.r, at.z + ds*change.z, at.psi + ds*change.psi}; };
     const auto change = [l2](const Point& at) { return Point{std::cos(at.psi), std::sin(at.psi), at.z/l2 - std::sin(at.psi)/at.r}; };
     Point now{r, z, psi};

@@ -15,14 +15,23 @@ namespace shizuku
 namespace
 {
 
-std::array<double, 6> impulsesOn(const std::string& wall, Liquid& liquid)
+BodyImpulses impulsesOn(const std::string& wall, Liquid& liquid)
 {
-    std::array<double, 6> sum{};
-    for (int part = 0; part < WallReactions::parts; ++part)
+    BodyImpulses impulses;
+    for (int c = 0; c < 3; ++c)
     {
-        for (int c = 0; c < 6; ++c) sum[c] += liquid.number(WallReactions::number(wall, WallReactions::Part(part), c), 0);
+        const auto of = [&](WallReactions::Part part, int component) { return liquid.number(WallReactions::number(wall, part, component), 0); };
+        impulses.normal[c] = of(WallReactions::pressure, c) + of(WallReactions::contactLine, c);
+        impulses.friction[c] = of(WallReactions::friction, c);
+        impulses.frictionMoment[c] = of(WallReactions::friction, c + 3);
     }
-    return sum;
+    return impulses;
+}
+
+AnalyticSurface surfaceAt(const AnalyticSurface& given, const Walls& walls, double time)
+{
+    const int motion = walls.motions().indexOf(given.name);
+    return motion < 0 ? given : moved(given, walls.motions().walls()[motion].motion->at(time));
 }
 
 }
@@ -31,6 +40,7 @@ FloatingBody::FloatingBody(const std::filesystem::path& casePath, const Liquid& 
 :
     surfaces_(readAnalyticSurfaces(Dictionary::read(casePath / "constant/walls"))), wall_(walls.freeBody()->wall()), g_(models.bodyForce->uniform()), density_(liquid.properties().density), spacing_(liquid.properties().spacing)
 {
+    own_ = std::size_t(std::find_if(surfaces_.begin(), surfaces_.end(), [&](const AnalyticSurface& surface) { return surface.name == wall_; }) - surfaces_.begin());
     const SourceLocation where = Dictionary::read(casePath / "constant/walls").where(wall_);
     if (!models.pressure->keepPressure())
     {
@@ -49,13 +59,10 @@ void FloatingBody::begin(Liquid& liquid) { last_ = impulsesOn(wall_, liquid); }
 void FloatingBody::follow(Liquid& liquid, const Walls& walls, double to, double dt)
 {
     SixDoFBody& body = *walls.freeBody();
-    const std::array<double, 6> now = impulsesOn(wall_, liquid);
-    BodyLoad load;
-    for (int c = 0; c < 3; ++c)
-    {
-        load.force[c] = (now[c] - last_[c]) / dt;
-        load.moment[c] = (now[c + 3] - last_[c + 3]) / dt;
-    }
+    const BodyImpulses now = impulsesOn(wall_, liquid);
+    const Vector3 normal = (now.normal - last_.normal) / dt;
+    const Vector3 middle = surfaceAt(surfaces_[own_], walls, to).point;
+    const BodyLoad load{normal + (now.friction - last_.friction) / dt, cross(middle, normal) + (now.frictionMoment - last_.frictionMoment) / dt};
     last_ = now;
     body.advance(to, dt, load, g_, density_);
     if (!std::isfinite(body.speed()))
@@ -71,17 +78,11 @@ void FloatingBody::follow(Liquid& liquid, const Walls& walls, double to, double 
 void FloatingBody::stopAtWalls(const Walls& walls, double to, double dt) const
 {
     SixDoFBody& body = *walls.freeBody();
-    const auto now = [&](const AnalyticSurface& surface)
-    {
-        const int motion = walls.motions().indexOf(surface.name);
-        return motion < 0 ? surface : moved(surface, walls.motions().walls()[motion].motion->at(to));
-    };
-    const auto own = std::find_if(surfaces_.begin(), surfaces_.end(), [&](const AnalyticSurface& surface) { return surface.name == wall_; });
-    const Vector3 middle = now(*own).point;
+    const Vector3 middle = surfaceAt(surfaces_[own_], walls, to).point;
     for (const AnalyticSurface& given : surfaces_)
     {
         if (given.name == wall_) continue;
-        const AnalyticSurface surface = now(given);
+        const AnalyticSurface surface = surfaceAt(given, walls, to);
         const double gap = surface.signedDistance(middle) - body.radius() - spacing_;
         body.stopAt(surface.normal(middle), std::max(gap, 0.0) / dt, dt);
     }
