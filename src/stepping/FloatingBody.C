@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stepping/FloatingBody.H"
 
-#include "caseFiles/SolidParticles.H"
 #include "models/reactions/WallReactions.H"
 #include "wallMotions/SixDoFBody.H"
 
@@ -50,7 +49,7 @@ FloatingBody::FloatingBody(const std::filesystem::path& casePath, const Liquid& 
     {
         throw FatalInputError(models.dict.where("surfaceTension"), "The liquid moves a body, and the tension model does not know the free surface, along which it pulls", "laplacePressure, continuumSurfaceForce or none");
     }
-    if (useSolidParticles(casePath)) throw FatalInputError(where, "The liquid moves a body, and another wall is sampled", "walls of type plane, sphere, cylinder and box");
+    if (walls.particles() > 0) throw FatalInputError(where, "The liquid moves a body, and another wall is sampled", "walls of type plane, sphere, cylinder and box");
     if (liquid.ghosts().images()) throw FatalInputError(where, "The liquid moves a body, and the case has sides that repeat or mirror the liquid", "open sides and walls");
 }
 
@@ -64,7 +63,9 @@ void FloatingBody::follow(Liquid& liquid, const Walls& walls, double to, double 
     const Vector3 middle = surfaceAt(surfaces_[own_], walls, to).point;
     const BodyLoad load{normal + (now.friction - last_.friction) / dt, cross(middle, normal) + (now.frictionMoment - last_.frictionMoment) / dt};
     last_ = now;
-    body.advance(to, dt, load, g_, density_);
+    // Of a sphere deep in the liquid it is half of what it displaces (Lamb 1932, article 92).
+    const double added = 0.5 * liquid.number(WallReactions::wetted(wall_), 0) * density_ * body.volume();
+    body.advance(to, dt, load, g_, added);
     if (!std::isfinite(body.speed()))
     {
         std::ostringstream text;

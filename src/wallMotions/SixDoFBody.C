@@ -14,28 +14,22 @@ namespace shizuku
 namespace
 {
 
+const std::vector<std::string> axes{"x", "y", "z"};
+
 // 1 for the axes that are named.
-Vector3 freeAxes(const Dictionary& dict, const std::string& key)
+Vector3 freeAxes(const std::vector<std::string>& names, const SourceLocation& where)
 {
-    const std::vector<std::string> axes{"x", "y", "z"};
     Vector3 free;
-    for (const std::string& axis : dict.lookupOr(key, axes))
+    for (const std::string& axis : names)
     {
         const auto found = std::find(axes.begin(), axes.end(), axis);
-        if (found == axes.end()) throw FatalInputError(dict.where(key), "Unknown axis '" + axis + "' of " + key, "a list of axes, () for none", axes, axis);
+        if (found == axes.end()) throw FatalInputError(where, "Unknown axis '" + axis + "'", "a list of axes, () for none", axes, axis);
         free[int(found - axes.begin())] = 1;
     }
     return free;
 }
 
-Vector3 vectorOr(const Dictionary& dict, const std::string& key, const Dimensions& expected)
-{
-    return dict.found(key) ? Vector3(dict.lookupDimensionedVector(key, expected)) : Vector3();
-}
-
 Vector3 masked(const Vector3& v, const Vector3& free) { return {v.x*free.x, v.y*free.y, v.z*free.z}; }
-
-double volumeOf(double radius) { return 4*std::numbers::pi/3*radius*radius*radius; }
 
 constexpr Dimensions perTime{{0, 0, -1, 0, 0, 0, 0}}, ofInertia{{1, 2, 0, 0, 0, 0, 0}};
 
@@ -55,9 +49,11 @@ SixDoFBody::SixDoFBody(const Dictionary& dict, double start, double stop)
 :
     whereMass_(dict.where("mass")), start_(start), stop_(stop), mass_(dict.lookupPositive("mass", dimensions::mass)),
     inertia_(dict.lookupPositive("momentOfInertia", ofInertia)), centreOfMass_(dict.lookupDimensionedVector("centreOfMass", dimensions::length)),
-    velocity_(vectorOr(dict, "velocity", dimensions::velocity)), omega_(vectorOr(dict, "omega", perTime)),
-    translations_(freeAxes(dict, "translations")), rotations_(freeAxes(dict, "rotations"))
-{}
+    translations_(freeAxes(dict.lookupOr("translations", axes), dict.where("translations"))), rotations_(freeAxes(dict.lookupOr("rotations", axes), dict.where("rotations")))
+{
+    if (dict.found("velocity")) velocity_ = dict.lookupDimensionedVector("velocity", dimensions::velocity);
+    if (dict.found("omega")) omega_ = dict.lookupDimensionedVector("omega", perTime);
+}
 
 void SixDoFBody::belongTo(const std::filesystem::path& casePath, const std::string& wall, double radius)
 {
@@ -68,30 +64,38 @@ void SixDoFBody::belongTo(const std::filesystem::path& casePath, const std::stri
 
 void SixDoFBody::refuseLight(double density) const
 {
-    const double own = mass_/volumeOf(radius_);
+    const double own = mass_/volume();
     if (own >= least*density) return;
     std::ostringstream found, expected;
     found << "The body '" << wall_ << "' has a density of " << own << " kg/m3, the liquid one of " << density << ": a body so light answers to the noise of the pressure";
-    expected << "a mass of " << least*density*volumeOf(radius_) << " kg or more, " << least << " times that of the liquid in its place";
+    expected << "a mass of " << least*density*volume() << " kg or more, " << least << " times that of the liquid in its place";
     throw FatalInputError(whereMass_, found.str(), expected.str());
 }
 
 Vector3 SixDoFBody::centre() const { return state_ ? state_->pose(centreOfMass_) : centreOfMass_; }
 
+double SixDoFBody::volume() const { return 4*std::numbers::pi/3*radius_*radius_*radius_; }
+
 double SixDoFBody::speed() const { return state_ ? length(state_->velocity) + radius_*length(state_->omega) : 0; }
 
 bool SixDoFBody::turns() const { return squaredLength(rotations_) > 0; }
 
-SixDoFState SixDoFBody::stateAt(double time) const
+SixDoFState SixDoFBody::givenAt(double time) const
 {
     SixDoFState state;
     state.time = time;
     state.velocity = masked(velocity_, translations_);
     state.omega = masked(omega_, rotations_);
+    return state;
+}
+
+std::optional<SixDoFState> SixDoFBody::storedAt(double time) const
+{
     const auto folder = findInstance(casePath_, time, "uniform/liquid");
-    if (folder.empty()) return state;
+    if (folder.empty()) return {};
     const Dictionary numbers = Dictionary::read(folder/"uniform/liquid");
-    if (!numbers.found(wall_ + "_time")) return state;
+    if (!numbers.found(wall_ + "_time")) return {};
+    SixDoFState state;
     SixDoFState::forEach(state, wall_, [&](const std::string& name, double& number) { number = numbers.lookup<double>(name); });
     return state;
 }
@@ -108,17 +112,17 @@ Pose SixDoFBody::carried(const SixDoFState& state, double time) const
     return turn.behind(state.pose);
 }
 
-Pose SixDoFBody::at(double time) const { return carried(state_ ? *state_ : stateAt(time), time); }
+Pose SixDoFBody::at(double time) const { return carried(state_ ? *state_ : storedAt(time).value_or(givenAt(0)), time); }
 
-void SixDoFBody::advance(double to, double dt, const BodyLoad& load, const Vector3& g, double density)
+void SixDoFBody::advance(double to, double dt, const BodyLoad& load, const Vector3& g, double added)
 {
-    const double added = density*volumeOf(radius_);
     SixDoFState& s = *state_;
     s.pose = withoutRounding(carried(s, to));
     s.time = to;
     if (isHeld(to))
     {
         s.acceleration = s.omegaRate = {};
+        if (to >= stop_) s.velocity = s.omega = {};
         return;
     }
     const Vector3 moment = load.moment - cross(s.pose(centreOfMass_), load.force);

@@ -55,12 +55,11 @@ public:
 private:
     static std::vector<CsvFile::Column> columns()
     {
-        std::vector<CsvFile::Column> columns{{"time", "s"}};
-        for (const auto& [name, unit] : {std::pair{"centre", "m"}, {"velocity", "m/s"}, {"omega", "rad/s"}})
+        return
         {
-            for (const char axis : {'X', 'Y', 'Z'}) columns.push_back({std::string(name) + axis, unit});
-        }
-        return columns;
+            {"time", "s"}, {"centreX", "m"}, {"centreY", "m"}, {"centreZ", "m"}, {"velocityX", "m/s"}, {"velocityY", "m/s"}, {"velocityZ", "m/s"},
+            {"omegaX", "rad/s"}, {"omegaY", "rad/s"}, {"omegaZ", "rad/s"}
+        };
     }
 
     WallMotions motions_;

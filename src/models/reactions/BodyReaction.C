@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/reactions/BodyReaction.H"
 
+#include <numbers>
+
 namespace shizuku
 {
 
@@ -47,7 +49,7 @@ struct WeightedMomentumOf
         const double w = weight[i];
         if (w == 0) return {};
         const Vec3 u = velocity[i];
-        return reactionOf(placeOf(position[i]), w * (u.x + more[0]), w * (u.y + more[1]), w * (u.z + more[2]));
+        return reactionOf(placeOf(position[i]), w * (u.x + more[0]), w * (u.y + more[1]), w * (u.z + more[2]), scalar(w));
     }
 };
 
@@ -87,6 +89,7 @@ BodyWeight weightOf(const Liquid& liquid, const WallSurface& surface)
 
 void BodyReaction::begin(const Liquid& liquid, const Walls& walls, const std::array<double, 3>& g)
 {
+    radius_ = walls.view(liquid).surfaces[surface_].radius;
     weight_.resizeDiscarding(liquid.owned());
     forEach(liquid.owned(), NoteWeight{weightOf(liquid, walls.view(liquid).surfaces[surface_]), liquid.position.span(), weight_.span()});
     before_.add(liquid.owned(), WeightedMomentumOf{std::as_const(weight_).span(), liquid.position.span(), liquid.velocity.span(), {g[0], g[1], g[2]}});
@@ -115,7 +118,11 @@ ReactionValue BodyReaction::take(const Liquid& liquid)
         sums.ask();
         return ReactionValue(liquid.parts().fold(sums.take()));
     };
+    // The weight of a shell of liquid all around: int_0^1 w(t) 4 pi (R + t W)^2 W dt, in particles.
+    const double R = radius_ / liquid.spacing(), W = width;
+    const double whole = 4 * std::numbers::pi * W * (R * R / 2 + 0.3 * R * W + W * W / 15);
     ReactionValue sum = taken(before_);
+    sum.share /= whole;
     sum.add(taken(pressed_), -1);
     sum.add(taken(stress_), 1);
     return sum;

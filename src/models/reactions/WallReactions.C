@@ -129,6 +129,8 @@ std::string WallReactions::number(const std::string& wall, Part part, int c)
     return wall + "_" + partNames[part] + names[c];
 }
 
+std::string WallReactions::wetted(const std::string& body) { return body + "_wetted"; }
+
 void WallReactions::begin(const Liquid& liquid, const Walls& walls, const Models& models, scalar dt)
 {
     pressure_ = models.pressure->keepPressure();
@@ -203,6 +205,7 @@ void WallReactions::addTo(Liquid& liquid)
     {
         std::array<ReactionValue, parts>& body = walls[bodyEntry_];
         ReactionValue more = body_->take(liquid);
+        liquid.setNumber(wetted(entries_.names[bodyEntry_]), std::min(more.share, 1.0));
         more.add(body[pressure], -1);
         more.add(body[contactLine], -1);
         if (touched > body[pressure].share)         // else all is its own
