@@ -73,4 +73,5 @@ set(SHIZUKU_KERNEL_SOURCES
     stepping/Sleep.C
     models/reactions/WallReactions.C
     sources/Pool.C
+    models/reactions/BodyReaction.C
 )

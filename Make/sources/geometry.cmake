@@ -102,6 +102,8 @@ set(SHIZUKU_GEOMETRY_SOURCES
     drops/foot/LatticeLiquid.C
     drops/BodyNumbers.C
     meshes/Creases.C
+    wallMotions/SixDoFBody.C
+    wallMotions/SixDoFMotion.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.

@@ -78,4 +78,6 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     walls/WallEntries.C
     functionObjects/wallForces/WallForces.C
     sources/Reservoir.C
+    stepping/FloatingBody.C
+    functionObjects/sixDoFRigidBodyState/SixDoFRigidBodyState.C
 )

@@ -15,4 +15,5 @@ set(SHIZUKU_REFERENCE_SOURCES
     reference/ViscousDrop.C
     reference/PlateFlow.C
     reference/LiquidBridge.C
+    reference/SphereInBath.C
 )

@@ -65,7 +65,7 @@ void SubStep::operator()(scalar dt, double from)
     prepared_.reset();
     if (held_) held_->begin(liquid_);
     lengthenLists(liquid_, near_, walls_, models_, [&] { predict(dt); }, [&] { force(dt); });
-    if (reactions_) reactions_->begin(liquid_, models_, dt);
+    if (reactions_) reactions_->begin(liquid_, walls_, models_, dt);
     constrain(dt);
     update(dt);
 }

@@ -20,6 +20,11 @@ TimeStep::TimeStep(const Time& time, CaseSetup& setup, Neighbourhood& near)
     subStep_(*setup.liquid, near, *setup.walls, *setup.models), speeds_(meter_.measure(*setup.liquid))
 {
     applyControls();
+    if (setup.body)
+    {
+        countWallReactions();
+        setup.body->begin(*setup.liquid);
+    }
     if (setup.population && setup.population->mayComeIn()) subStep_.hold(setup.population->held());
 }
 
@@ -53,7 +58,7 @@ void TimeStep::countViscousWork()
 
 void TimeStep::countWallReactions()
 {
-    subStep_.count(reactions_.emplace(setup_.path, *setup_.liquid));
+    if (!reactions_) subStep_.count(reactions_.emplace(setup_.path, *setup_.liquid, *setup_.walls));
 }
 
 void TimeStep::limitCapillaryCo(double most)
@@ -89,6 +94,11 @@ void TimeStep::make(const SubSteps& steps, double from)
     for (int step = 1; step <= steps.count; ++step)
     {
         subStep_(scaled(steps), from + (step - 1) * steps.dt);
+        if (setup_.body)
+        {
+            reactions_->addTo(*setup_.liquid);
+            setup_.body->follow(*setup_.liquid, *setup_.walls, from + step * steps.dt, steps.dt);
+        }
         if (step < steps.count) meter_.watch(*setup_.liquid);
     }
     if (steps.count == 0) return;

@@ -233,11 +233,12 @@ void refuseCrossingWalls(const std::filesystem::path& casePath, double from, dou
     const WallMotions motions = WallMotions::read(casePath);
     if (motions.none() || !(to > from)) return;
     const std::vector<Piece> pieces = piecesOf(casePath, motions);
+    const auto isFree = [&](const Piece& piece) { return piece.motion >= 0 && motions.walls()[piece.motion].motion->body(); };     // nobody knows its way
     for (const Piece& first : pieces)
     {
         for (const Piece& second : pieces)
         {
-            if (&first == &second || first.motion == second.motion || !Pair::isKnown(first, second)) continue;
+            if (&first == &second || first.motion == second.motion || isFree(first) || isFree(second) || !Pair::isKnown(first, second)) continue;
             const double time = crossingOf(Pair(first, second, motions, spacing), from, to, spacing);
             if (time < 0) continue;
             const Piece& moving = first.motion < 0 ? second : first;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wallMotions/WallMotions.H"
 
+#include "wallMotions/SixDoFBody.H"
+
 #include <algorithm>
 #include <map>
 
@@ -33,6 +35,14 @@ void move(SolidParticles& solid, const std::filesystem::path& casePath, const Wa
     }
 }
 
+// m, of the only shape that the liquid may move.
+double radiusOf(const Dictionary& wall, const std::string& name, const SourceLocation& motion)
+{
+    const std::string type = wall.lookupOr<std::string>("type", "");
+    if (type == "sphere" && wall.lookupOr<std::string>("liquid", "") == "outside") return wall.lookupPositive("radius", dimensions::length);
+    throw FatalInputError(motion, "The wall '" + name + "' is " + (type == "sphere" ? "a sphere with liquid inside" : "of type '" + type + "'") + ", and its motion is that of a body in the liquid", "a wall of type sphere with `liquid outside;`");
+}
+
 }
 
 WallMotions WallMotions::read(const std::filesystem::path& casePath)
@@ -46,15 +56,30 @@ WallMotions WallMotions::read(const std::filesystem::path& casePath)
         const Dictionary wall = walls.subDict(name);
         if (!wall.found("motion")) continue;
         const Dictionary dict = wall.subDict("motion");
+        if (dict.lookup<std::string>("type") == "sixDoFRigidBodyMotion")
+        {
+            throw FatalInputError(dict.where("type"), "sixDoFRigidBodyMotion is OpenFOAM's motion of a mesh", "`type sixDoF;` with mass, momentOfInertia, centreOfMass, and translations and rotations in place of constraints");
+        }
         std::shared_ptr<const WallMotion> motion = WallMotionTable::New("wall-motion", dict.lookup<std::string>("type"), dict.where("type"), dict);
         dict.refuseUnused();
         if (motion->axis() && wall.lookupOr<std::string>("type", "") == "box")
         {
             throw FatalInputError(dict.where("type"), "The wall '" + name + "' is a box, which keeps its directions, and has a motion that turns it", "six walls of type plane, or a box that moves without turning");
         }
+        if (SixDoFBody* body = motion->body())
+        {
+            if (motions.body()) throw FatalInputError(dict.where("type"), "The wall '" + name + "' is a second body that the liquid moves, besides '" + motions.body()->wall() + "'", "one wall with a motion of type sixDoF");
+            body->belongTo(casePath, name, radiusOf(wall, name, dict.where("type")));
+        }
         motions.walls_.push_back({name, std::move(motion)});
     }
     return motions;
+}
+
+SixDoFBody* WallMotions::body() const
+{
+    for (const MovingWall& wall : walls_) if (wall.motion->body()) return wall.motion->body();
+    return nullptr;
 }
 
 int WallMotions::indexOf(const std::string& wall) const

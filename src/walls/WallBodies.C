@@ -2,6 +2,7 @@
 #include "walls/WallBodies.H"
 
 #include "device/Reduce.H"
+#include "wallMotions/SixDoFBody.H"
 
 #include <algorithm>
 #include <cmath>
@@ -114,6 +115,11 @@ double WallBodies::speed(const Liquid& liquid, double from, double to) const
     double most = 0;
     for (const MovingWall& wall : motions_.walls())
     {
+        if (const SixDoFBody* body = wall.motion->body())
+        {
+            most = std::max(most, body->speed());
+            continue;
+        }
         const auto axis = wall.motion->axis();
         if (!axis)
         {

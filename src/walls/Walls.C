@@ -8,6 +8,7 @@
 #include "device/ForEach.H"
 #include "thetaModels/LineLaws.H"
 #include "thetaModels/ThetaField.H"
+#include "wallMotions/SixDoFBody.H"
 #include "walls/KeepOutside.H"
 #include "walls/LiquidInside.H"
 #include "walls/WallsAtSides.H"
@@ -101,6 +102,11 @@ Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liqu
         refuseBreaksAtSides(casePath, dict_, images->sides(), liquid);
     }
     useBodies(liquid, WallMotions::read(casePath));
+    if (SixDoFBody* body = freeBody())
+    {
+        body->refuseLight(liquid.properties().density);
+        body->begin(startTime);
+    }
     moveTo(startTime, startTime);
 }
 
@@ -113,6 +119,11 @@ void Walls::useBodies(const Liquid& liquid, WallMotions motions)
     given_ = analytic_;
     if (layer_) layer_->setBodies(bodies_.motions().indicesOf(case_, readSolidParticles(case_)), liquid);
     if (bodies_.turn()) constraints_.constrainAll();        // its normals are others in each step
+}
+
+int Walls::surfaceOfBody() const
+{
+    return int(std::find(surfaceNames_.begin(), surfaceNames_.end(), freeBody()->wall()) - surfaceNames_.begin());
 }
 
 void Walls::moveTo(double from, double to)
@@ -149,8 +160,14 @@ void Walls::refuseMotions(const Liquid& liquid, const WallMotions& motions, doub
         const int before = former.indexOf(wall.name);
         if (before < 0) refuse(wall.name, "it had none when the run began");
         const WallMotion& was = *former.walls()[before].motion;
+        if (!was.body() != !wall.motion->body()) refuse(wall.name, was.body() ? "the liquid moves it no more" : "the liquid moves it now");
         const auto axis = was.axis(), axisNow = wall.motion->axis();
         if (axis.has_value() != axisNow.has_value()) refuse(wall.name, axis ? "it turns no more" : "it turns now");
+        if (const SixDoFBody* body = wall.motion->body())       // goes on from where it is
+        {
+            body->refuseLight(liquid.properties().density);
+            continue;
+        }
         const Pose change = wall.motion->at(time).since(was.at(time));
         const Vector3 middle = axis ? axis->origin : Vector3();
         double jump = length(change(middle) - middle);
@@ -165,6 +182,7 @@ void Walls::refuseMotions(const Liquid& liquid, const WallMotions& motions, doub
 
 void Walls::useMotions(const Liquid& liquid, WallMotions motions)
 {
+    if (motions.body()) motions.body()->goOn(freeBody()->state());
     if (!motions.none()) bodies_ = WallBodies(std::move(motions), liquid.units());
 }
 

@@ -10,37 +10,16 @@ namespace shizuku
 namespace
 {
 
-struct Velocity
-{
-    double of[3];
-};
-
-// Of a velocity at a place.
-HOST_DEVICE inline Reaction reactionOf(Place at, Velocity velocity, scalar share)
-{
-    const double x[3] = {quanta::lengthOf(at.x), quanta::lengthOf(at.y), quanta::lengthOf(at.z)};
-    const double* u = velocity.of;
-    Reaction reaction;
-    for (int c = 0; c < 3; ++c)
-    {
-        const int a = (c + 1) % 3, b = (c + 2) % 3;
-        reaction.impulse[c] = wideQuanta(u[c]);
-        reaction.moment[c] = wideQuanta(x[a] * u[b] - x[b] * u[a]);
-    }
-    reaction.share = wideQuanta(share);
-    return reaction;
-}
-
 struct MomentumOf
 {
     Span<const Position> position;
     Span<const Vec3> velocity;
-    Velocity more;                              // dt g
+    double more[3];                             // dt g
 
     HOST_DEVICE Reaction operator()(int i) const
     {
         const Vec3 u = velocity[i];
-        return reactionOf(placeOf(position[i]), {{u.x + more.of[0], u.y + more.of[1], u.z + more.of[2]}}, 0);
+        return reactionOf(placeOf(position[i]), u.x + more[0], u.y + more[1], u.z + more[2]);
     }
 };
 
@@ -79,7 +58,7 @@ struct EstimateAt
         for (int part = 0; part < WallReactions::parts; ++part)
         {
             const Vec3 v = by[part];
-            reactions.of[part] = reactionOf(placeOf(x), {{v.x, v.y, v.z}}, part == WallReactions::friction ? norm(v) : touch);
+            reactions.of[part] = reactionOf(placeOf(x), v.x, v.y, v.z, part == WallReactions::friction ? norm(v) : touch);
         }
         return reactions;
     }
@@ -131,35 +110,17 @@ private:
     }
 };
 
-// The same numbers, on the host.
-struct Sums
-{
-    double of[6] = {}, share = 0;
-
-    Sums() = default;
-    explicit Sums(const Reaction& reaction) : share(valueOf(reaction.share))
-    {
-        for (int c = 0; c < 3; ++c)
-        {
-            of[c] = valueOf(reaction.impulse[c]);
-            of[c + 3] = valueOf(reaction.moment[c]);
-        }
-    }
-
-    void add(const Sums& other, double factor)
-    {
-        for (int c = 0; c < 6; ++c) of[c] += factor * other.of[c];
-    }
-};
-
 }
 
-WallReactions::WallReactions(const std::filesystem::path& casePath, const Liquid& liquid)
+WallReactions::WallReactions(const std::filesystem::path& casePath, const Liquid& liquid, const Walls& walls)
 :
     entries_(WallEntries::read(casePath)), plane_(tabulateHalfSpace(liquid.kernel())), estimates_(entries_.names.size())
 {
     ofSurface_.upload(entries_.ofSurface);
     ofParticle_.upload(entries_.ofParticle);
+    if (!walls.freeBody()) return;
+    body_.emplace(walls.surfaceOfBody());
+    bodyEntry_ = entries_.ofSurface[walls.surfaceOfBody()];
 }
 
 std::string WallReactions::number(const std::string& wall, Part part, int c)
@@ -168,17 +129,22 @@ std::string WallReactions::number(const std::string& wall, Part part, int c)
     return wall + "_" + partNames[part] + names[c];
 }
 
-void WallReactions::begin(const Liquid& liquid, const Models& models, scalar dt)
+std::string WallReactions::wetted(const std::string& body) { return body + "_wetted"; }
+
+void WallReactions::begin(const Liquid& liquid, const Walls& walls, const Models& models, scalar dt)
 {
     pressure_ = models.pressure->keepPressure();
     const auto g = models.bodyForce->uniform();
     const auto scaled = [&](double a) { return double(dt) * liquid.units().toScaled(a, dimensions::acceleration); };
-    before_.add(liquid.owned(), MomentumOf{liquid.position.span(), liquid.velocity.span(), {{scaled(g[0]), scaled(g[1]), scaled(g[2])}}});
+    const std::array<double, 3> gravity{scaled(g[0]), scaled(g[1]), scaled(g[2])};
+    before_.add(liquid.owned(), MomentumOf{liquid.position.span(), liquid.velocity.span(), {gravity[0], gravity[1], gravity[2]}});
+    if (body_) body_->begin(liquid, walls, gravity);
 }
 
 void WallReactions::pressed(const Liquid& liquid)
 {
     pressed_.add(liquid.owned(), MomentumOf{liquid.position.span(), liquid.velocity.span(), {}});
+    if (body_) body_->pressed(liquid);
 }
 
 void WallReactions::end(const Liquid& liquid, const Walls& walls, const Models& models, scalar dt)
@@ -208,6 +174,7 @@ void WallReactions::end(const Liquid& liquid, const Walls& walls, const Models& 
         estimate.wall = std::uint32_t(wall);
         estimates_[wall].add(liquid.owned(), estimate);
     }
+    if (body_) body_->end(liquid, walls, *models.freeSurface, estimate.pressure, dt);
 }
 
 void WallReactions::addTo(Liquid& liquid)
@@ -217,22 +184,37 @@ void WallReactions::addTo(Liquid& liquid)
         sums.ask();
         return liquid.parts().fold(sums.take());
     };
-    const Sums before(taken(before_)), pressed(taken(pressed_)), after(taken(after_));
-    Sums rest = before, restOfFriction = pressed;           // what walls got in all, less what is estimated
+    const ReactionValue before(taken(before_)), pressed(taken(pressed_)), after(taken(after_));
+    ReactionValue rest = before, restOfFriction = pressed;           // what walls got in all, less what is estimated
     rest.add(pressed, -1);
     restOfFriction.add(after, -1);
-    std::vector<std::array<Sums, parts>> walls;
+    std::vector<std::array<ReactionValue, parts>> walls;
     double touched = 0, rubbed = 0;
     for (auto& estimates : estimates_)
     {
-        std::array<Sums, parts>& wall = walls.emplace_back();
+        std::array<ReactionValue, parts>& wall = walls.emplace_back();
         const Reactions sums = taken(estimates);
-        for (int part = 0; part < parts; ++part) wall[part] = Sums(sums.of[part]);
+        for (int part = 0; part < parts; ++part) wall[part] = ReactionValue(sums.of[part]);
         rest.add(wall[pressure], -1);
         rest.add(wall[contactLine], -1);
         restOfFriction.add(wall[friction], -1);
         touched += wall[pressure].share;
         rubbed += wall[friction].share;
+    }
+    if (body_)
+    {
+        std::array<ReactionValue, parts>& body = walls[bodyEntry_];
+        ReactionValue more = body_->take(liquid);
+        liquid.setNumber(wetted(entries_.names[bodyEntry_]), std::min(more.share, 1.0));
+        more.add(body[pressure], -1);
+        more.add(body[contactLine], -1);
+        if (touched > body[pressure].share)         // else all is its own
+        {
+            touched -= body[pressure].share;
+            body[pressure].share = 0;
+            body[pressure].add(more, 1);
+            rest.add(more, -1);
+        }
     }
     if (touched == 0) return;
     const double impulse = liquid.properties().particleMass() * liquid.units().of(dimensions::velocity);

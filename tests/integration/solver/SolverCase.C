@@ -107,6 +107,18 @@ void SolverCase::fill(const std::array<double, 3>& velocity) const
     writeField(path()/"0/liquid/U", toField("U", dimensions::velocity, velocities), {});
 }
 
+void SolverCase::dropBall() const
+{
+    write("constant/models", "pressure completedPbf;\nsurfaceTension laplacePressure;\nwetting extendedSurface;\nviscosity newtonian;\nbodyForce gravity;\n");
+    write
+    (
+        "constant/walls",
+        "floor { type plane; point (0 0 0); normal (0 0 1); }\nball\n{\n    type sphere; centre (0.5e-3 0 8.6e-3); radius 2e-3; liquid outside;\n"
+        "    motion { type sixDoF; mass 1e-5; momentOfInertia 1.6e-11; centreOfMass (0.5e-3 0 8.6e-3); velocity (0 0 -0.3); omega (10 20 30); }\n}\n"
+    );
+    write("constant/wettability", "floor { theta 60; }\nball { theta 90; }\n");
+}
+
 std::string SolverCase::command(const std::string& application, const std::string& arguments) const
 {
     return program(application) + " -case '" + path().string() + "' -device " + device() + " " + arguments;

@@ -126,6 +126,13 @@ TEST_P(Parallel, LeavesTheSameFilesOfModelsOfTheLiterature)
 }
 
 // Particles leave through a plane that cuts the block, from the first step on.
+TEST_P(Parallel, MovesABodyAsOneProcessDoes)
+{
+    dropBall();
+    control("functions { ball { type sixDoFRigidBodyState; } push { type wallForces; } }");
+    expectTheSameOf({2});
+}
+
 TEST_P(Parallel, TakesOutWhatOneProcessDoes)
 {
     write("constant/outlets", "side { type plane; point (0 2.9e-3 0); normal (0 1 0); }\nbelow { type plane; point (0 0 -1); normal (0 0 -1); }\n");

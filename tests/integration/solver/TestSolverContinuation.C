@@ -146,6 +146,15 @@ TEST_P(Continuation, OfXSPH)
     expectContinuationFromEachTime();
 }
 
+TEST_P(Continuation, OfABodyThatTheLiquidMoves)
+{
+    dropBall();
+    expectContinuationFromEachTime();
+    const std::string numbers = read("0.007/uniform/liquid");
+    EXPECT_NE(numbers.find("ball_pressureImpulseZ"), std::string::npos) << numbers;
+    EXPECT_EQ(numbers.find("ball_pressureImpulseZ 0;"), std::string::npos) << "the liquid does not touch it";
+}
+
 TEST_P(Continuation, OfDFSPH)
 {
     choose("DFSPH");

@@ -40,7 +40,7 @@ struct Steps
 
     Steps(const CaseText& text, const std::string& words)
     :
-        drop(text), models((drop.folder.write("constant/models", words), drop.folder.path()), Dictionary(), drop.liquid, drop.walls), reactions(drop.folder.path(), drop.liquid),
+        drop(text), models((drop.folder.write("constant/models", words), drop.folder.path()), Dictionary(), drop.liquid, drop.walls), reactions(drop.folder.path(), drop.liquid, drop.walls),
         subStep(drop.liquid, drop.near, drop.walls, models)
     {
         models.takeEffect(drop.liquid, drop.walls);

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "models/reactions/BodyReaction.H"
+
+#include <numbers>
+
+namespace shizuku
+{
+
+namespace
+{
+
+struct BodyWeight
+{
+    WallSurface surface;
+    scalar width;                               // scaled
+
+    struct Value
+    {
+        scalar value;
+        Vec3 gradient;
+    };
+
+    HOST_DEVICE Value operator()(Place at) const
+    {
+        const WallSurface::Nearest nearest = surface(at);
+        const scalar t = fmin(fmax(nearest.distance / width, 0), 1);
+        return {1 - t * t * (3 - 2 * t), -6 * t * (1 - t) / width * nearest.normal};
+    }
+};
+
+struct NoteWeight
+{
+    BodyWeight weight;
+    Span<const Position> position;
+    Span<scalar> to;
+
+    HOST_DEVICE void operator()(int i) const { to[i] = weight(placeOf(position[i])).value; }
+};
+
+struct WeightedMomentumOf
+{
+    Span<const scalar> weight;
+    Span<const Position> position;
+    Span<const Vec3> velocity;
+    double more[3];                             // dt g
+
+    HOST_DEVICE Reaction operator()(int i) const
+    {
+        const double w = weight[i];
+        if (w == 0) return {};
+        const Vec3 u = velocity[i];
+        return reactionOf(placeOf(position[i]), w * (u.x + more[0]), w * (u.y + more[1]), w * (u.z + more[2]), scalar(w));
+    }
+};
+
+// -S grad w dt/rho0
+struct StressOf
+{
+    BodyWeight weight;
+    scalar perPressure, tension;                // dt/rho0, 2 dt sigma/rho0
+    Span<const Position> position;
+    Span<const scalar> pressure;
+    FreeSurfaceView surface;                    // where hasSurface
+    bool hasSurface;
+
+    HOST_DEVICE Reaction operator()(int i) const
+    {
+        const Place at = placeOf(position[i]);
+        const Vec3 slope = weight(at).gradient;
+        if (squared(slope) == 0) return {};
+        Vec3 sum = perPressure * pressure[i] * slope;
+        if (hasSurface && !surface.isInside(i))
+        {
+            const Vec3 G = surface(i).gradient;
+            const scalar steep = norm(G);
+            const Vec3 m = 1 / fmax(steep, 1e-20f) * G;
+            sum -= tension * steep * (slope - dot(slope, m) * m);
+        }
+        return reactionOf(at, sum.x, sum.y, sum.z);
+    }
+};
+
+BodyWeight weightOf(const Liquid& liquid, const WallSurface& surface)
+{
+    return {surface, BodyReaction::width * liquid.spacing()};
+}
+
+}
+
+void BodyReaction::begin(const Liquid& liquid, const Walls& walls, const std::array<double, 3>& g)
+{
+    radius_ = walls.view(liquid).surfaces[surface_].radius;
+    weight_.resizeDiscarding(liquid.owned());
+    forEach(liquid.owned(), NoteWeight{weightOf(liquid, walls.view(liquid).surfaces[surface_]), liquid.position.span(), weight_.span()});
+    before_.add(liquid.owned(), WeightedMomentumOf{std::as_const(weight_).span(), liquid.position.span(), liquid.velocity.span(), {g[0], g[1], g[2]}});
+}
+
+void BodyReaction::pressed(const Liquid& liquid)
+{
+    pressed_.add(liquid.owned(), WeightedMomentumOf{std::as_const(weight_).span(), liquid.position.span(), liquid.velocity.span(), {}});
+}
+
+void BodyReaction::end(const Liquid& liquid, const Walls& walls, const FreeSurface& surface, Span<const scalar> pressure, scalar dt)
+{
+    const scalar perDensity = dt / liquid.restDensity();
+    const scalar sigma = liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension);
+    stress_.add(liquid.owned(), StressOf
+    {
+        .weight = weightOf(liquid, walls.view(liquid).surfaces[surface_]), .perPressure = perDensity, .tension = 2 * perDensity * sigma, .position = liquid.position.span(),
+        .pressure = pressure, .surface = surface.view(), .hasSurface = surface.active()
+    });
+}
+
+ReactionValue BodyReaction::take(const Liquid& liquid)
+{
+    const auto taken = [&](Accumulator<Reaction>& sums)
+    {
+        sums.ask();
+        return ReactionValue(liquid.parts().fold(sums.take()));
+    };
+    // The weight of a shell of liquid all around: int_0^1 w(t) 4 pi (R + t W)^2 W dt, in particles.
+    const double R = radius_ / liquid.spacing(), W = width;
+    const double whole = 4 * std::numbers::pi * W * (R * R / 2 + 0.3 * R * W + W * W / 15);
+    ReactionValue sum = taken(before_);
+    sum.share /= whole;
+    sum.add(taken(pressed_), -1);
+    sum.add(taken(stress_), 1);
+    return sum;
+}
+
+}
