@@ -23,7 +23,7 @@ public:
     :
         JudgedComparison(dict),
         radius_(dict.lookupPositive("radius", dimensions::length)), outer_(dict.lookupPositive("outer", dimensions::length)),
-        dish_(dict.lookupPositive("dish", dimensions::length)), mouth_(dict.lookupPositive("mouth", dimensions::length)),
+        mouth_(dict.lookupPositive("mouth", dimensions::length)),
         theta_(dict.lookup<double>("theta"))
     {
         (dict.found("level") ? level_ : dish_) = dict.lookupPositive(dict.found("level") ? "level" : "dish", dimensions::length);
