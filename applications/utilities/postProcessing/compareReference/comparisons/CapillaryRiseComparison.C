@@ -26,7 +26,8 @@ public:
         mouth_(dict.lookupPositive("mouth", dimensions::length)),
         theta_(dict.lookup<double>("theta"))
     {
-        (dict.found("level") ? level_ : dish_) = dict.lookupPositive(dict.found("level") ? "level" : "dish", dimensions::length);
+        if (dict.found("level")) level_ = dict.lookupPositive("level", dimensions::length);
+        else dish_ = dict.lookupPositive("dish", dimensions::length);
         if (level_ && !(*level_ > mouth_)) throw FatalInputError(dict.where("level"), "The mouth of the tube is not in the pool", "a level above the mouth");
         if (!(radius_ < outer_ && (level_ || outer_ < *dish_))) throw FatalInputError(dict.where("outer"), "The tube does not fit into the dish", "radius < outer < dish");
     }
