@@ -186,13 +186,10 @@ int differing(const State& a, const State& b)
 }
 
 // A model of a user's, which reads neighbours as one process sees them.
-class OfOneProcess : public Pressure
+class OfOneProcess : public ParticleShifting
 {
 public:
-    void begin(scalar) override {}
-    bool converged(Liquid&, const Neighbourhood&, const Walls&) override { return true; }
-    void correct(Liquid&, const Neighbourhood&, const Walls&) override {}
-    int iterations() const override { return 0; }
+    void apply(Liquid&, const Neighbourhood&, const Walls&) override {}
 };
 
 // In quanta along an axis.
@@ -468,9 +465,9 @@ TEST(TestParts, SolidParticlesAreThoseOfTheRows)
 
 TEST(TestParts, ModelsThatDoNotSayThatTheySeeGhostsAreRefused)
 {
-    CutDrop drop({"default", "", false, 1});
+    CutDrop drop({"default", "particleShifting closePairs;", false, 1});
     drop.models->refuseGhostBlind(drop.liquid, "The liquid cannot be cut into parts");
-    drop.models->pressure = std::make_unique<OfOneProcess>();
+    drop.models->particleShifting = std::make_unique<OfOneProcess>();
     try
     {
         drop.models->refuseGhostBlind(drop.liquid, "The liquid cannot be cut into parts");
@@ -478,7 +475,7 @@ TEST(TestParts, ModelsThatDoNotSayThatTheySeeGhostsAreRefused)
     }
     catch (const FatalInputError& error)
     {
-        EXPECT_NE(std::string(error.what()).find("cannot be cut into parts with pressure completedPbf"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("cannot be cut into parts with particleShifting closePairs"), std::string::npos) << error.what();
     }
 }
 
