@@ -1,26 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Compiled once per backend. Paths below src/.
-set(SHIZUKU_DEVICE_SOURCES
+# What launches kernels: compiled once per backend, by its compiler. What launches none stands in kernelFree.cmake. Paths below src/.
+set(SHIZUKU_KERNEL_SOURCES
     device/Algorithms.C
     device/Columns.C
-    device/Memory.C
     device/Profile.C
-    device/ProfileTable.C
-    particles/Units.C
-    parallel/PartsOfProcess.C
     particles/FieldRegistry.C
     particles/Exchange.C
     particles/Ghosts.C
-    particles/FileOrder.C
     particles/ParticleFiles.C
-    particles/Liquid.C
     neighbours/CellGrid.C
-    neighbours/Neighbourhood.C
     neighbours/PartsOfLiquid.C
-    neighbours/LayerCut.C
-    neighbours/RowCut.C
-    neighbours/WholeLiquid.C
-    walls/HalfSpace.C
     walls/TangentPlanes.C
     walls/SampledLayer.C
     walls/LiquidInside.C
@@ -29,125 +18,60 @@ set(SHIZUKU_DEVICE_SOURCES
     freeSurface/FreeSurface.C
     freeSurface/HeldLine.C
     freeSurface/SampledEdges.C
-    outlets/BoxOutlet.C
     outlets/Outlets.C
-    outlets/PlaneOutlet.C
     motion/Motion.C
     motion/LiquidState.C
     motion/SpeedMeter.C
-    maths/CohesionSpline.C
     linearSolvers/ConjugateGradients.C
-    models/Models.C
     models/density/Density.C
-    models/forces/InterParticleForces.C
     models/forces/RigidMotion.C
-    models/pressure/Pressure.C
-    models/pressure/none/none.C
-    models/pressure/shared/IterationControls.C
-    models/pressure/shared/PressureControls.C
-    models/pressure/shared/SoundSpeed.C
     models/pressure/Clavet2005/Clavet2005.C
     models/pressure/DFSPH/DFSPH.C
     models/pressure/PCISPH/PCISPH.C
     models/pressure/WCSPH/WCSPH.C
-    models/pressure/completedPbf/CellShares.C
     models/pressure/completedPbf/CoarseCorrection.C
     models/pressure/completedPbf/CompletedPbf.C
     models/pressure/completedPbf/GridPoisson.C
     models/pressure/idealGas/IdealGas.C
     models/pressure/pbf/Pbf.C
-    models/surfaceTension/SurfaceTension.C
-    models/surfaceTension/none/none.C
-    models/surfaceTension/pairForce/PairForce.C
     models/surfaceTension/pairTension/PairTension.C
     models/surfaceTension/continuumSurfaceForce/ContinuumSurfaceForce.C
-    models/surfaceTension/continuumSurfaceForce/SurfaceLayer.C
     models/surfaceTension/laplacePressure/LaplacePressure.C
     models/surfaceTension/surfaceCurvature/CurvatureAtStart.C
     models/surfaceTension/surfaceCurvature/PairCurvature.C
     models/surfaceTension/surfaceCurvature/RegressedCurvature.C
-    models/surfaceTension/surfaceCurvature/SurfaceCurvature.C
-    models/surfaceTension/Akinci2013/Akinci2013.C
     models/surfaceTension/Becker2007/Becker2007.C
-    models/surfaceTension/Fujisawa2014/Fujisawa2014.C
     models/surfaceTension/Kondo2007/Kondo2007.C
     models/surfaceTension/Mueller2003/Mueller2003.C
     models/surfaceTension/Tartakovsky2005/Tartakovsky2005.C
-    models/wetting/Wetting.C
-    models/wetting/none/none.C
     models/wetting/Akinci2013/Akinci2013.C
-    models/wetting/adhesionRatio/AdhesionRatio.C
-    models/wetting/extendedSurface/ExtendedSurface.C
     models/wetting/contactAngle/ContactAngle.C
-    models/particleShifting/ParticleShifting.C
-    models/particleShifting/none/none.C
     models/particleShifting/closePairs/ClosePairs.C
-    models/viscosity/Viscosity.C
-    models/viscosity/none/none.C
     models/viscosity/XSPH/XSPH.C
     models/viscosity/laminar/Laminar.C
     models/viscosity/newtonian/Newtonian.C
     models/viscosity/newtonian/WallFriction.C
     models/smoothing/SmoothingControls.C
-    models/velocityCorrection/VelocityCorrection.C
-    models/velocityCorrection/none/none.C
     models/velocityCorrection/keepsTurns/KeepsTurns.C
-    models/bodyForce/BodyForce.C
-    models/bodyForce/none/none.C
-    models/bodyForce/gravity/Gravity.C
-    surface/MarchingCubesTable.C
     surface/BlockMap.C
     surface/LiquidSurface.C
-    surface/SurfaceCut.C
-    surface/CaseSurface.C
-    surface/MeshOfParts.C
     stepping/Balance.C
-    stepping/CaseSetup.C
-    stepping/DryRun.C
     stepping/StartCheck.C
-    stepping/StepControl.C
     stepping/SubStep.C
-    stepping/TimeStep.C
     functionObjects/FlowView.C
-    functionObjects/FunctionControl.C
     functionObjects/FunctionObjects.C
-    functionObjects/boundingBox/BoundingBox.C
-    functionObjects/ModelList.C
-    functionObjects/contactAngle/ContactAngleTable.C
-    functionObjects/crossSection/CrossSection.C
-    functionObjects/drops/DropCount.C
-    functionObjects/energy/Energy.C
-    functionObjects/liquidState/LiquidStateTable.C
-    functionObjects/outflow/Outflow.C
     functionObjects/probes/Probes.C
-    functionObjects/runTimeControl/RunTimeControl.C
-    functionObjects/spreadDiameter/SpreadDiameter.C
-    functionObjects/stepTime/StepTime.C
-    functionObjects/volume/Volume.C
     freeSurface/SemiImplicitTension.C
     sources/HeldLiquid.C
-    sources/Needle.C
-    sources/Nozzle.C
-    sources/Opening.C
-    sources/Rain.C
     sources/Sources.C
-    sources/TimedValue.C
-    sources/SourceSpace.C
     population/Population.C
-    functionObjects/populationBalance/PopulationBalance.C
-    particles/Sides.C
     particles/Images.C
-    particles/Unfold.C
     neighbours/ImagesOfLiquid.C
     motion/QuantisedLiquid.C
-    walls/WallsAtSides.C
     walls/WallBodies.C
     motion/ViscousWork.C
     stepping/Sleep.C
-    walls/WallEntries.C
     models/reactions/WallReactions.C
-    functionObjects/wallForces/WallForces.C
+    sources/Pool.C
     models/reactions/BodyReaction.C
-    stepping/FloatingBody.C
-    functionObjects/sixDoFRigidBodyState/SixDoFRigidBodyState.C
 )

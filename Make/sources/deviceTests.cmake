@@ -65,9 +65,11 @@ set(SHIZUKU_DEVICE_TESTS
     parallel/TestCheckedParts.C
     particles/TestFieldRegistry.C
     particles/TestParticleFiles.C
+    particles/TestUnfold.C
     particles/TestUnits.C
     population/TestPopulation.C
     stepping/TestCaseSetup.C
+    stepping/TestDeclaredReads.C
     stepping/TestParts.C
     stepping/TestRestart.C
     stepping/TestSides.C

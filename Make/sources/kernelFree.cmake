@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Those of device.cmake that launch no kernel: nvcc would take four times as long for them as the host's compiler, which compiles them for
-# every backend. What launches one and stands here does not compile (device/cuda/NoKernels.H).
+# Compiled once per backend, too, but they launch no kernel: nvcc would take four times as long for them as the host's compiler, which compiles them for
+# every backend. What launches one and stands here does not compile (device/cuda/NoKernels.H), and moves to device.cmake. Paths below src/.
 set(SHIZUKU_KERNEL_FREE_SOURCES
     device/Memory.C
     device/ProfileTable.C
@@ -77,6 +77,7 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     walls/WallsAtSides.C
     walls/WallEntries.C
     functionObjects/wallForces/WallForces.C
+    sources/Reservoir.C
     stepping/FloatingBody.C
     functionObjects/sixDoFRigidBodyState/SixDoFRigidBodyState.C
 )

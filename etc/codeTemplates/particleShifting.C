@@ -45,13 +45,15 @@ public:
         if (!(strength_ >= 0 && strength_ <= 1)) throw FatalInputError(coeffs.where("strength"), "The strength is out of range", "0 to 1");
     }
 
+    std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override { return Columns{valuesOf(liquid.position)}; }
+
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                forEachTeam(liquid.owned(), Diffuse<Kernel>
+                liquid.ghosts().forEachTeam(liquid.owned(), Diffuse<Kernel>
                 {
                     W, strength_ * W.h * W.h * liquid.particleVolume(), liquid.position.span(), near.view(), walls.stop(liquid),
                     liquid.predicted.span()

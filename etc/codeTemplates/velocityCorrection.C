@@ -46,6 +46,8 @@ public:
         forEach(liquid.owned(), NoteWay{liquid.predicted.span(), liquid.position.span(), way_.span()});
     }
 
+    std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
+
     void apply(Liquid& liquid, const Neighbourhood&, const Walls&, scalar dt) override
     {
         forEach(liquid.owned(), KeepShare{strength_, 1 / dt, way_.span(), liquid.velocity.span()});

@@ -34,6 +34,8 @@ public:
         rate_ = liquid.units().toScaled(rate, rateDimensions);
     }
 
+    std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
+
     void apply(Liquid& liquid, const Neighbourhood&, const Walls&, scalar dt) override
     {
         forEach(liquid.owned(), Decay{1 / (1 + rate_ * dt), liquid.velocity.span()});

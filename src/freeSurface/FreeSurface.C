@@ -55,6 +55,14 @@ struct FindSurface
     }
 };
 
+// Until the walls' part is added, the liquid's part in the colour stands beside that in the gradient.
+HOST_DEVICE inline Vec3 withColour(Vec3 G, scalar colour)
+{
+    G.w = colour;
+    return G;
+}
+HOST_DEVICE inline scalar colourBeside(Vec3 G) { return G.w; }
+
 // The liquid's part in the colour and its gradient.
 template<class Search>
 struct SumColour
@@ -63,7 +71,7 @@ struct SumColour
     scalar volume;                          // V/S
     Search wide;
     Span<const std::uint32_t> selected;
-    Span<Vec3> gradient;                    // with w = the colour
+    Span<Vec3> gradient;                    // with the colour
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
@@ -83,7 +91,7 @@ struct SumColour
         const Vec3 G = team.sums(slopes);
         if (team.lane >= places.size) return;
         const int k = places.first + team.lane;
-        gradient[k] = {volume * G.x, volume * G.y, volume * G.z, volume * (W.W(0) + sum)};
+        gradient[k] = withColour({volume * G.x, volume * G.y, volume * G.z}, volume * (W.W(0) + sum));
     }
 };
 
@@ -108,7 +116,7 @@ struct Reconstruct
         const int k = int(place[i]);
         const Position xi = x[i];
         Vec3 G = gradient[k];
-        scalar colour = G.w;
+        scalar colour = colourBeside(G);
         const WallContribution& completion = findContactLine.completion;
         // Liquid on the other side of an edge is behind the tangent plane, where the wall's extension is.
         const auto beyond = completion.beyondEdges(i, xi);
@@ -121,10 +129,10 @@ struct Reconstruct
         G += wall.gradient;
         if (contact.size > 0) contact[k] = line;
         else if (line.wall >= 0) put(any[0], 1u);
-        gradient[k] = {G.x, G.y, G.z, -suction};
+        gradient[k] = withLowestPressure(G, -suction);
         const scalar s = depthOf(norm(G) / colour * completion.h);
         depth[k] = s;
-        position[k] = {xi.x, xi.y, xi.z, wordOf(s)};
+        position[k] = withDepth(xi, s);
     }
 
 private:

@@ -14,6 +14,14 @@ namespace shizuku
 namespace
 {
 
+// 2 g of a particle stands beside its normal: one access brings both. Zero: deep below the surface.
+HOST_DEVICE inline Vec3 withSlope(Vec3 normal, scalar slope)
+{
+    normal.w = slope;
+    return normal;
+}
+HOST_DEVICE inline scalar slopeBeside(Vec3 normal) { return normal.w; }
+
 // The first direction is f itself: what differs along the surface by nothing is right from there on.
 struct Begin
 {
@@ -27,13 +35,13 @@ struct Begin
     HOST_DEVICE void operator()(int i) const
     {
         const int k = int(surface.place[i]);
-        Vec3 n = normals[k];
-        n.w = squared(n) > 0 ? 2 * plane(surface.depthOf(k)).gradient : 0;
-        normal[k] = n;
+        const Vec3 n = normals[k];
+        const scalar slope = squared(n) > 0 ? 2 * plane(surface.depthOf(k)).gradient : 0;
+        normal[k] = withSlope(n, slope);
         const scalar f = jump[k];
         residual[k] = f;
         direction[k] = f;
-        jump[k] = n.w > 0 ? 0 : f;
+        jump[k] = slope > 0 ? 0 : f;
     }
 };
 
@@ -60,15 +68,15 @@ struct Iterate
         const Position xi = x[i];
         const Vec3 ni = normal[k];
         const scalar di = direction[k];
-        if (ni.w == 0) return;
+        if (slopeBeside(ni) == 0) return;
         scalar sum = 0;
         near.forEach(i, [&](int j)
         {
             if (surface.isInside(j)) return;
             const int l = int(surface.place[j]);
             const Vec3 nj = normal[l];
-            if (nj.w == 0 || !(dot(ni, nj) >= 0)) return;           // the other side of a film
-            sum += W.g(norm(xi - x[j])) * (ni.w + nj.w) * (direction[l] - di);
+            if (slopeBeside(nj) == 0 || !(dot(ni, nj) >= 0)) return;           // the other side of a film
+            sum += W.g(norm(xi - x[j])) * (slopeBeside(ni) + slopeBeside(nj)) * (direction[l] - di);
         }, team);
         sum = team.sum(sum);
         if (!team.first()) return;

@@ -3,6 +3,7 @@
 
 #include "models/density/Density.H"
 #include "neighbours/WholeLiquid.H"
+#include "drops/SeparateBodies.H"
 #include "particles/Unfold.H"
 #include "surface/CaseSurface.H"
 #include "surface/MeshOfParts.H"
@@ -73,7 +74,7 @@ void FlowView::makeSurfaceInParts(bool whole)
 {
     std::vector<Position> share(liquid_.owned());
     liquid_.position.download(share.data(), liquid_.owned());
-    const auto [cut, own] = mesher().particlesOfLayers(unfoldedWhole(std::move(share)), liquid_.parts());
+    const auto [cut, own] = mesher().particlesOfLayers(mirrored(std::move(share)), liquid_.parts());
     const Buffer<Position> particles(own);
     mesher().build(particles.span(), cut);
     MeshOfParts mesh(mesher(), liquid_.units().length, cut);
@@ -107,21 +108,17 @@ const BoxSides* FlowView::sides() const
     return images ? &images->sides().box() : nullptr;
 }
 
-bool FlowView::isFolded() const
+std::vector<Position> FlowView::mirrored(std::vector<Position> places) const
 {
-    return sides() && sides()->has(Sides::Kind::symmetryPlane);
-}
-
-std::vector<Position> FlowView::unfoldedWhole(std::vector<Position> places) const
-{
-    return isFolded() ? unfolded(std::move(places), liquid_.ghosts().images()->sides()) : places;
+    return hasSides() ? unfolded(std::move(places), liquid_.ghosts().images()->sides()) : places;
 }
 
 void FlowView::buildUnfolded()
 {
     std::vector<Position> places(seen().owned());
     seen().position.download(places.data(), seen().owned());
-    const Buffer<Position> whole(unfoldedWhole(std::move(places)));
+    const Sides& between = liquid_.ghosts().images()->sides();
+    const Buffer<Position> whole(mirrored(joinedAcross(std::move(places), between, bodyReach * liquid_.spacing())));
     mesher().build(whole.span());
 }
 
@@ -129,7 +126,7 @@ LiquidSurface& FlowView::builtSurface()
 {
     if (std::exchange(surfaceIsDue_, false))
     {
-        if (isFolded()) buildUnfolded();
+        if (hasSides()) buildUnfolded();
         else mesher().build({seen().position.span().data, seen().owned()});
     }
     return *mesher_;

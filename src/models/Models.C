@@ -10,9 +10,9 @@ namespace
 {
 
 template<class Table>
-ModelKind modelKindOf(const std::string& keyword, const std::string& usual, bool hasCoeffs)
+ModelKind modelKindOf(const std::string& keyword, const std::string& usual, bool hasCoeffs, const Model& (*chosenOf)(const Models&))
 {
-    return {keyword, usual, hasCoeffs, Table::summaries()};
+    return {keyword, usual, hasCoeffs, Table::summaries(), chosenOf};
 }
 
 // A case may keep the coefficients of models that it does not use at present.
@@ -37,9 +37,13 @@ std::vector<ModelKind> modelKinds()
 {
     return
     {
-        modelKindOf<PressureTable>("pressure", "", false), modelKindOf<SurfaceTensionTable>("surfaceTension", "", true), modelKindOf<WettingTable>("wetting", "", true),
-        modelKindOf<ViscosityTable>("viscosity", "", true), modelKindOf<VelocityCorrectionTable>("velocityCorrection", "none", true),
-        modelKindOf<ParticleShiftingTable>("particleShifting", "none", true), modelKindOf<BodyForceTable>("bodyForce", "", false)
+        modelKindOf<PressureTable>("pressure", "", false, [](const Models& all) -> const Model& { return *all.pressure; }),
+        modelKindOf<SurfaceTensionTable>("surfaceTension", "", true, [](const Models& all) -> const Model& { return all.forces.tension(); }),
+        modelKindOf<WettingTable>("wetting", "", true, [](const Models& all) -> const Model& { return all.forces.wetting(); }),
+        modelKindOf<ViscosityTable>("viscosity", "", true, [](const Models& all) -> const Model& { return *all.viscosity; }),
+        modelKindOf<VelocityCorrectionTable>("velocityCorrection", "none", true, [](const Models& all) -> const Model& { return *all.velocityCorrection; }),
+        modelKindOf<ParticleShiftingTable>("particleShifting", "none", true, [](const Models& all) -> const Model& { return *all.particleShifting; }),
+        modelKindOf<BodyForceTable>("bodyForce", "", false, [](const Models& all) -> const Model& { return *all.bodyForce; })
     };
 }
 
@@ -75,29 +79,19 @@ void Models::holdLines(const std::filesystem::path& casePath, Liquid& liquid)
     freeSurface->hold(heldLine->angle());
 }
 
-void Models::refuseGhostBlind(const std::string& what) const
+void Models::refuseGhostBlind(Liquid& liquid, const std::string& what) const
 {
-    const std::map<std::string, const Model*> models = byKeyword();
     for (const ModelKind& kind : modelKinds())
     {
         const std::string word = kind.chosen(dict);
-        if (word == "none" || models.at(kind.keyword)->seesGhosts()) continue;
+        if (word == "none" || kind.chosenOf(*this).readsOfNeighbours(liquid)) continue;
         throw FatalInputError
         (
             dict.where(kind.keyword),
-            what + " with " + kind.keyword + " " + word + ": the model does not say that it sees ghost particles",
-            "a model whose seesGhosts() is true, as those of this program are; or one process, and open sides"
+            what + " with " + kind.keyword + " " + word + ": the model does not say what it reads of ghost particles",
+            "a model with readsOfNeighbours(), as those of this program are; or one process, and open sides"
         );
     }
-}
-
-std::map<std::string, const Model*> Models::byKeyword() const
-{
-    return
-    {
-        {"pressure", pressure.get()}, {"surfaceTension", &forces.tension()}, {"wetting", &forces.wetting()}, {"viscosity", viscosity.get()},
-        {"velocityCorrection", velocityCorrection.get()}, {"particleShifting", particleShifting.get()}, {"bodyForce", bodyForce.get()}
-    };
 }
 
 void Models::takeEffect(const Liquid& liquid, Walls& walls) const

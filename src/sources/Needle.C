@@ -7,6 +7,7 @@
 #include "sources/Opening.H"
 #include "sources/Source.H"
 #include "sources/TimedValue.H"
+#include "sources/Turns.H"
 
 #include <cmath>
 #include <limits>
@@ -53,7 +54,7 @@ public:
         const std::size_t first = births.size(), n = opening_.columns.size();
         for (std::size_t tried = 0; let_ < wanted() && tried < n; ++tried, ++turns_)
         {
-            const Vector3 place = at(opening_.columns[columnOf(turns_)]);
+            const Vector3 place = at(opening_.columns[columnOfTurn(turns_, n)]);
             bool isFree = !step.isOccupied(place, free*opening_.spacing);
             for (std::size_t k = first; k < births.size(); ++k) isFree = isFree && step.distance(births[k].place, place) > free*opening_.spacing;
             if (!isFree) continue;
@@ -68,17 +69,6 @@ public:
     double asked() const override { return volume_; }
 
 private:
-    // Steps through the columns that spread turns evenly: of the golden section, without a common divisor.
-    std::size_t columnOf(double turn) const
-    {
-        const std::size_t n = opening_.columns.size();
-        std::size_t stride = std::size_t(0.618*double(n)) + 1;
-        while (greatestDivisor(stride, n) > 1) ++stride;
-        return std::size_t(turn)%n*stride%n;
-    }
-
-    static std::size_t greatestDivisor(std::size_t a, std::size_t b) { return b == 0 ? a : greatestDivisor(b, a%b); }
-
     double wanted() const { return std::floor(volume_/(opening_.spacing*opening_.spacing*opening_.spacing) + 1e-6); }
     double speed(double time) const { return rate_.at(time)/opening_.area(); }
     Vector3 at(const Vector3& column) const { return opening_.mouth + column + opening_.spacing/2*opening_.direction; }

@@ -43,7 +43,7 @@ struct IsNear
     }
 };
 
-// A particle in a stream, and how far ahead it is.
+// A particle that may be drawn, and how far ahead it is of those that go first.
 struct Ahead
 {
     double along;
@@ -92,7 +92,7 @@ bool Sources::mayChange(const std::string& entry)
     const std::size_t from = entry.find('.');
     if (from == std::string::npos) return false;
     const std::string word = entry.substr(from + 1, entry.find('.', from + 1) - from - 1);
-    return word == "flowRate" || word == "velocity" || word == "rate" || word == "speed";
+    return word == "flowRate" || word == "velocity" || word == "rate" || word == "speed" || word == "level";
 }
 
 void Sources::refuseLongSteps(double deltaT) const
@@ -134,11 +134,13 @@ Sources::Change Sources::apply(Liquid& liquid, double from, double to, double& n
         return liquid.parts().any(reduce(liquid.owned(), near, scratch).is > 0);
     };
     const auto distance = [&](const Vector3& a, const Vector3& b) { return length(space_.periods().shortest(a - b)); };
+    const auto countIn = [&](const Pool& pool) { return particlesIn(liquid, pool, space_.periods()); };
+    const auto heightOver = [&](const Pool& pool, const Vector3& column, double apart) { return restingHeight(liquid, pool, space_.periods(), column, apart); };
     std::vector<Birth> births;
     for (const Named& named : list_)
     {
         const std::size_t before = births.size();
-        named.source->bear({from, to, isOccupied, distance}, births);
+        named.source->bear({from, to, isOccupied, distance, countIn, heightOver}, births);
         *named.entered += double(births.size() - before);
     }
     change.entered = int(births.size());
@@ -148,7 +150,8 @@ Sources::Change Sources::apply(Liquid& liquid, double from, double to, double& n
     {
         const int due = named.source->due();
         if (due == 0) continue;
-        const int drawn = draw(liquid, *named.source->stream(to), due);
+        const auto pool = named.source->drawsFrom();
+        const int drawn = pool ? draw(liquid, highestOf(*pool, liquid), due) : draw(liquid, farthestBackIn(*named.source->stream(to), liquid), due);
         named.source->drew(drawn);
         *named.entered -= drawn;
         change.drawn += drawn;
@@ -183,23 +186,35 @@ void Sources::bear(Liquid& liquid, const std::vector<Birth>& births, double firs
     liquid.id.upload(numbers, first);
 }
 
-int Sources::draw(Liquid& liquid, const Stream& stream, int most)
+Sources::Rank Sources::farthestBackIn(Stream wide, const Liquid& liquid) const
+{
+    wide.from -= wide.length*wide.axis;         // with what has moved back into the opening
+    wide.length *= 2;
+    std::vector<Stream> streams;
+    for (const Stream& each : space_.withImages(wide)) streams.push_back(each.scaled(liquid.units().length, 1));
+    return [streams](Place p) -> std::optional<double>
+    {
+        const auto in = std::find_if(streams.begin(), streams.end(), [&](const Stream& each) { return each.contains(p); });
+        if (in == streams.end()) return std::nullopt;
+        const Vector3 x(quanta::lengthOf(p.x), quanta::lengthOf(p.y), quanta::lengthOf(p.z));
+        return dot(x - in->from, in->axis);
+    };
+}
+
+Sources::Rank Sources::highestOf(const Pool& box, const Liquid& liquid) const
+{
+    const double unit = liquid.units().length;
+    return [pool = box.scaled(unit), periods = space_.periods().scaled(unit)](Place p) { return pool.contains(p, periods) ? std::optional(-pool.heightOf(p, periods)) : std::nullopt; };
+}
+
+int Sources::draw(Liquid& liquid, const Rank& rankOf, int most)
 {
     const std::vector<Position> positions = liquid.position.download();
     const std::vector<std::uint32_t> ids = liquid.id.download();
-    std::vector<Stream> streams;
-    Stream wide = stream;                       // with what has moved back into the opening
-    wide.from -= stream.length*stream.axis;
-    wide.length *= 2;
-    for (const Stream& each : space_.withImages(wide)) streams.push_back(each.scaled(liquid.units().length, 1));
     std::vector<Ahead> own;
     for (int i = 0; i < liquid.owned(); ++i)
     {
-        const Place p = placeOf(positions[i]);
-        const auto in = std::find_if(streams.begin(), streams.end(), [&](const Stream& each) { return each.contains(p); });
-        if (in == streams.end()) continue;
-        const Vector3 x(quanta::lengthOf(p.x), quanta::lengthOf(p.y), quanta::lengthOf(p.z));
-        own.push_back({dot(x - in->from, in->axis), ids[i]});
+        if (const auto rank = rankOf(placeOf(positions[i]))) own.push_back({*rank, ids[i]});
     }
     std::vector<Ahead> all = gatherLists(liquid.parts(), own);
     std::sort(all.begin(), all.end(), [](const Ahead& a, const Ahead& b) { return std::tie(a.along, a.id) < std::tie(b.along, b.id); });

@@ -50,7 +50,7 @@ void CaseSetup::makeWalls(double start)
 void CaseSetup::makeModels()
 {
     models = std::make_unique<Models>(path, *solution, *liquid, *walls);
-    if (liquid->ghosts().images()) models->refuseGhostBlind("The liquid cannot go on across sides");
+    if (liquid->ghosts().images()) models->refuseGhostBlind(*liquid, "The liquid cannot go on across sides");
     models->takeEffect(*liquid, *walls);
     if (walls->freeBody()) body.emplace(path, *liquid, *walls, *models);
 }

@@ -39,6 +39,16 @@ void lengthenLists(Liquid& liquid, Neighbourhood& near, Walls& walls, const Mode
     }
 }
 
+// The verb of a model that changes what a step has made, with the ghosts that it declares to need, and its end.
+template<class Kind, class... More>
+void applyOnce(Kind& model, Liquid& liquid, const Neighbourhood& near, const Walls& walls, More... more)
+{
+    model.declareReads(liquid, GhostsHave::nothing);
+    model.apply(liquid, near, walls, more...);
+    liquid.ghosts().dropDeclared();
+    model.commit();
+}
+
 // The first step makes a velocity of what is left of the way to where the pressure wants the particles, the larger the shorter it is. A round leaves
 // two fifths of it, later ones more. One does for steps down to a seventh of the particles' own time, about a third of the capillary step.
 int settlingRounds(const Liquid& liquid, scalar dt)
@@ -107,14 +117,11 @@ void SubStep::update(scalar dt)
     models_.pressure->commit();
     models_.forces.commit();
     if (reactions_) reactions_->pressed(liquid_);
-    models_.velocityCorrection->apply(liquid_, near_, walls_, dt);
-    models_.velocityCorrection->commit();
+    applyOnce(*models_.velocityCorrection, liquid_, near_, walls_, dt);
     if (work_) work_->before(liquid_);
-    models_.viscosity->apply(liquid_, near_, walls_, dt);
-    models_.viscosity->commit();
+    applyOnce(*models_.viscosity, liquid_, near_, walls_, dt);
     if (work_) work_->behind(liquid_);
-    models_.particleShifting->apply(liquid_, near_, walls_);
-    models_.particleShifting->commit();
+    applyOnce(*models_.particleShifting, liquid_, near_, walls_);
     if (reactions_) reactions_->end(liquid_, walls_, models_, dt);
     if (models_.heldLine) models_.heldLine->advance(liquid_, near_, walls_, *models_.freeSurface, dt);
     if (held_) held_->end(liquid_, dt);

@@ -114,7 +114,7 @@ struct FitPlane
         const Vec3 n = (1 / length) * direction;
         const scalar height = (along + dot(n, from)) / (total + length);
         if (nearest - height * height > 2.25f * spacing * spacing) return;
-        normal[i] = {n.x, n.y, n.z, cosine / total};
+        normal[i] = withCosTheta(n, cosine / total);
         point[i] = xi - (height - 0.5f * spacing) * n;
     }
 };

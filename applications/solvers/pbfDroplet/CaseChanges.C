@@ -106,7 +106,7 @@ public:
         liquid.change(wanted.viscosity, wanted.surfaceTension);
         models.emplace(time.casePath(), solution, liquid, *setup.walls);
         solution.refuseUnused();
-        if (liquid.ghosts().mayBe()) models->refuseGhostBlind("The liquid goes on in other parts, or across sides, which it cannot");
+        if (liquid.ghosts().mayBe()) models->refuseGhostBlind(liquid, "The liquid goes on in other parts, or across sides, which it cannot");
         if (anew.walls)
         {
             motions = WallMotions::read(time.casePath());

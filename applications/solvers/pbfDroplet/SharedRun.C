@@ -13,7 +13,7 @@ SharedRun::SharedRun(const Communicator& parts, CaseSetup& setup)
     : parts_(parts), setup_(setup), controls_(BalanceControls::read(setup.path)), balance_(controls_)
 {
     if (!isCut()) return;
-    setup.models->refuseGhostBlind("The liquid cannot be cut into parts");
+    setup.models->refuseGhostBlind(*setup.liquid, "The liquid cannot be cut into parts");
     setup.liquid->ghosts().join(parts);
 }
 

@@ -80,11 +80,15 @@ void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const
     tension_->setStep(dt);
     parts_ = tension_->parts(dt);
     left_ = 0;
+    const GhostsHave have = everyIteration_ ? GhostsHave::valuesOfIteration : GhostsHave::valuesOfSearch;
+    tension_->declareReads(liquid, have);
     if (parts_ == 1 && !wetting_->accelerates() && walls.constraints().all() && tension_->move(liquid, near, walls, dt)) return;
     acceleration_.resizeDiscarding(liquid.all());
     acceleration_.setZero();
     tension_->apply(liquid, near, walls, acceleration_);
+    wetting_->declareReads(liquid, have);
     wetting_->apply(liquid, near, walls, acceleration_);
+    liquid.ghosts().dropDeclared();
     left_ = parts_;
     moveOn(liquid, dt, 1);
     isKept_ = !everyIteration_ && tension_->isInternal() && !walls.constraints().all();

@@ -111,6 +111,17 @@ TEST(Models, AreMadeByEveryWord)
     }
 }
 
+// bin/newModel makes models of the kinds that have templates.
+TEST(Models, OfEachKindHaveATemplate)
+{
+    const auto templates = std::filesystem::path(std::getenv("SHIZUKU_DIR")) / "etc/codeTemplates";
+    for (const ModelKind& kind : modelKinds())
+    {
+        EXPECT_TRUE(std::filesystem::exists(templates / (kind.keyword + ".C"))) << kind.keyword;
+        EXPECT_TRUE(std::filesystem::exists(templates / (kind.keyword + "Test.C"))) << kind.keyword;
+    }
+}
+
 TEST(Models, OfAnUnknownWordListTheChoices)
 {
     LiquidCase drop;

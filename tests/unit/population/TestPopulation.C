@@ -90,6 +90,19 @@ TEST(Population, WhatIsInANozzleIsALatticeThatMovesRigidly)
     EXPECT_NEAR(least, 1e-3, 1e-6);
 }
 
+// Also where sums of products are rounded once: the square of a place on the axis less that of its depth is then as often below zero as above.
+TEST(Population, AStreamWithoutAHoleHasItsAxis)
+{
+    const Stream stream{{0, 0, 4.123}, {0, 0, -1}, 5, 0, 2, 1};
+    for (int k = 0; k < 1000; ++k)
+    {
+        const scalar z = scalar(4.1) - scalar(k)*scalar(4.7e-3);
+        EXPECT_TRUE(stream.contains(Place{} + Vec3{0, 0, z})) << "z = " << z;
+    }
+    EXPECT_FALSE(stream.contains(Place{} + Vec3{0, 0, scalar(4.2)}));
+    EXPECT_FALSE(stream.contains(Place{} + Vec3{scalar(2.1), 0, 0}));
+}
+
 TEST(Population, ATableChangesTheFlowAndARingIsHollow)
 {
     SourceScene scene("tap { type nozzle; mouth (0 0 0.02); direction (0 0 -1); radius 4e-3; innerRadius 2e-3; velocity { times (0 0.1 0.2); values (0 0.1 0); } }");
@@ -363,4 +376,110 @@ TEST(Population, RefusesSourcesBeyondSides)
         const std::string shower = "a { type rain; rate 1; corner (-6e-3 -6e-3 0.1); along (0.012 0 0); across (0 0.012 0); direction (0 0 -1); speed 1; sizes { type oneSize; diameter 3e-3; } }";
         EXPECT_EQ(messageOf([&] { SourceScene scene(shower, "", false, text); }), "no error") << spacing;
     }
+}
+
+namespace
+{
+
+// Without walls around it: what is in the box stays where it is.
+std::string pool(const std::string& level, const std::string& more = "")
+{
+    return "pool { type reservoir; min (-5e-3 -5e-3 0); max (5e-3 5e-3 9e-3); direction (0 0 1); relaxationTime 5e-3; level " + level + "; } " + more;
+}
+
+double highest(const SourceScene& scene)
+{
+    double z = -1;
+    for (const Vector3& x : scene.liquid.positions()) z = std::max(z, x.z);
+    return z;
+}
+
+}
+
+// 100 particles a layer: a level of 5 mm is 500 of them, of 3 mm 300, within the one by which it may be off and the one that is not whole. They lie as on a lattice, so that the
+// surface is half a spacing above the highest.
+TEST(Population, AReservoirFillsItsBoxAndEmptiesItToItsLevel)
+{
+    SourceScene scene(pool("{ times (0 0.1 0.101); values (5e-3 5e-3 3e-3); }"));
+    EXPECT_TRUE(scene.population->mayComeIn());
+    for (int k = 0; k < 100; ++k) scene.step(1e-3);
+    EXPECT_NEAR(scene.liquid.owned(), 500, 2);
+    EXPECT_EQ(scene.number("pool"), scene.liquid.owned());
+    EXPECT_NEAR(highest(scene), 4.5e-3, 1.1e-3);
+    const auto x = scene.liquid.positions();
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+        for (std::size_t j = 0; j < i; ++j) EXPECT_GT(length(x[i] - x[j]), 0.999e-3);
+    }
+    for (int k = 0; k < 100; ++k) scene.step(1e-3);
+    EXPECT_NEAR(scene.liquid.owned(), 300, 2);
+    EXPECT_NEAR(highest(scene), 2.5e-3, 1.1e-3);
+    EXPECT_EQ(scene.ids().size(), std::size_t(scene.liquid.owned()));
+    for (int k = 0; k < 20; ++k)
+    {
+        scene.step(1e-3);
+        EXPECT_FALSE(scene.changed);            // at rest none comes and none goes
+    }
+}
+
+// dV/dt = (h A - V)/tau: a time tau behind a start from nothing exp(-1) of the volume is missing, once what a step may let in (a quarter of a layer) is more than the rate asks for.
+// A flow Q out of the box holds the volume Q tau below the level's: of two particles a step, ten particles, within the two above.
+TEST(Population, AReservoirFollowsItsEquation)
+{
+    SourceScene scene(pool("{ times (0 0.1 0.1001); values (5e-3 5e-3 5.4e-3); }"));
+    for (int k = 0; k < 100; ++k) scene.step(1e-3);
+    const int before = scene.liquid.owned();
+    for (int k = 0; k < 5; ++k) scene.step(1e-3);
+    // Five explicit steps of a fifth of tau each: 0.8^5.
+    EXPECT_NEAR(scene.liquid.owned(), 540 - 40*std::pow(0.8, 5), 2) << "from " << before;
+    for (int k = 0; k < 95; ++k) scene.step(1e-3);
+    EXPECT_NEAR(scene.liquid.owned(), 540, 2);
+    double mean = 0;
+    for (int k = 0; k < 100; ++k)
+    {
+        std::vector<Position> x = scene.liquid.position.download();
+        for (int j = 2*k; j < 2*k + 2; ++j) x[std::size_t(j)] += Vec3{0, 0, -100};
+        scene.liquid.position.upload(x);
+        scene.step(1e-3);
+        if (k >= 50) mean += (scene.liquid.owned() - 2*(k + 1))/50.0;
+    }
+    EXPECT_EQ(scene.number("pool"), scene.liquid.owned());
+    EXPECT_NEAR(mean, 530, 2);
+}
+
+// The same box between sides, of which one goes through it, and upside down: as many, and at the same heights.
+TEST(Population, AReservoirGoesOnAcrossACyclicSideAndMayHang)
+{
+    const std::string turned = "pool { type reservoir; min (1e-3 -6e-3 -9e-3); max (11e-3 6e-3 0); direction (0 0 -1); relaxationTime 5e-3; level 4e-3; }";
+    SourceScene scene(turned, "", false, repeated(cyclicXY));
+    for (int k = 0; k < 100; ++k) scene.step(1e-3);
+    EXPECT_NEAR(scene.liquid.owned(), 480, 2);
+    int across = 0;
+    for (const Vector3& x : scene.liquid.positions())
+    {
+        EXPECT_LE(std::max(std::abs(x.x), std::abs(x.y)), 6e-3 + 4e-9);
+        EXPECT_GT(x.z, -5.6e-3);
+        EXPECT_LT(x.z, 0);
+        across += x.x < -1e-3;
+    }
+    EXPECT_NEAR(across, scene.liquid.owned()/2, 2); // five of ten rows of columns are beyond the side
+}
+
+TEST(Population, RefusesReservoirsThatCannotBe)
+{
+    const auto message = [](const std::string& box, const std::string& rest) { return messageOf([&] { SourceScene scene("a { type reservoir; " + box + rest + " }"); }); };
+    const std::string box = "min (0 0 0); max (5e-3 5e-3 9e-3); ", up = "direction (0 0 1); ", rest = "relaxationTime 1e-3; level 5e-3;";
+    EXPECT_EQ(message(box, up + rest), "no error");
+    EXPECT_TRUE(holds(message(box, up + "relaxationTime 1e-3;"), {"level", "constant/sources"}));
+    EXPECT_TRUE(holds(message(box, up + "relaxationTime 0; level 5e-3;"), {"relaxationTime", "not above 0", "line 1"}));
+    EXPECT_TRUE(holds(message(box, up + "relaxationTime 1e-3; level -1e-3;"), {"level", "-0.001", "at least 0"}));
+    EXPECT_TRUE(holds(message(box, up + "relaxationTime 1e-3; level 8.5e-3;"), {"0.0085 m", "no room", "at most 0.008 m"}));
+    EXPECT_TRUE(holds(message(box, "direction (0 1 1); " + rest), {"direction", "along no side", "x, y or z"}));
+    EXPECT_TRUE(holds(message("min (0 0 0); max (5e-3 0 9e-3); ", up + rest), {"no extent along y", "max above min"}));
+    EXPECT_TRUE(holds(message("min (0 0 0); max (1.5e-3 3.5e-3 9e-3); ", up + rest), {"room for 3 particles", "4 at the least"}));
+    EXPECT_TRUE(holds(message(box, up + rest + " flowRate 1;"), {"'flowRate'"}));
+    SourceScene scene(pool("5e-3"));
+    EXPECT_TRUE(holds(messageOf([&] { scene.step(6e-3); }), {"'pool'", "deltaT of at most 0.005 s"}));
+    EXPECT_TRUE(Sources::mayChange("pool.level"));
+    EXPECT_FALSE(Sources::mayChange("pool.relaxationTime"));
 }

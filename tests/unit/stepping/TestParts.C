@@ -156,9 +156,10 @@ Cut runCut(const Scene& scene, const RowCut& cut)
         CutDrop drop(scene);
         if (parts.part() > 0) drop.liquid.resize(0);            // the first search brings them what is theirs
         drop.liquid.ghosts().join(parts);
+        drop.liquid.ghosts().poisonUndeclared();
         drop.near.cut(cut, 100);            // in several rounds
         if (!sharesAsWhole()) drop.walls.cut(cut.rowsOf(parts.part()), drop.near.grid().view());    // as the solver
-        drop.models->refuseGhostBlind("The liquid cannot be cut into parts");
+        drop.models->refuseGhostBlind(drop.liquid, "The liquid cannot be cut into parts");
         const std::vector<State> own = drop.run(scene.steps);
         const std::lock_guard lock(mutex);
         for (std::size_t k = 0; k < own.size(); ++k)
@@ -185,10 +186,13 @@ int differing(const State& a, const State& b)
 }
 
 // A model of a user's, which reads neighbours as one process sees them.
-class OfOneProcess : public ParticleShifting
+class OfOneProcess : public Pressure
 {
 public:
-    void apply(Liquid&, const Neighbourhood&, const Walls&) override {}
+    void begin(scalar) override {}
+    bool converged(Liquid&, const Neighbourhood&, const Walls&) override { return true; }
+    void correct(Liquid&, const Neighbourhood&, const Walls&) override {}
+    int iterations() const override { return 0; }
 };
 
 // In quanta along an axis.
@@ -352,13 +356,15 @@ TEST(TestParts, AllSetsAreCut)
     EXPECT_EQ(folders, std::vector<std::string>(setsToCut.begin(), setsToCut.end()));
 }
 
-// A nozzle above one end of the liquid, a needle below it that draws, and rain beside it: a particle has the number and the place that the whole gives it.
+// A nozzle above one end of the liquid, a needle below it that draws, rain and a pool that fills beside it, and a box from whose top it goes: a particle has the number and the place that the whole gives it.
 TEST(TestParts, LiquidThatComesInHasTheBitsOfTheWhole)
 {
     const std::string sources =
         "tap { type nozzle; mouth (0 12e-3 8e-3); direction (0 -0.3 -1); radius 2e-3; flowRate 8e-6; }\n"
         "needle { type needle; mouth (0 -3e-3 0); direction (0 0 1); radius 1.5e-3; flowRate -3e-6; }\n"
-        "shower { type rain; rate 3; corner (-8e-3 -25e-3 16e-3); along (16e-3 0 0); across (0 12e-3 0); direction (0 0 -1); speed 1; sizes { type oneSize; diameter 3e-3; } }\n";
+        "shower { type rain; rate 3; corner (-8e-3 -25e-3 16e-3); along (16e-3 0 0); across (0 12e-3 0); direction (0 0 -1); speed 1; sizes { type oneSize; diameter 3e-3; } }\n"
+        "filled { type reservoir; min (-6e-3 20e-3 0); max (6e-3 30e-3 8e-3); direction (0 0 1); level 3e-3; relaxationTime 5e-3; }\n"
+        "emptied { type reservoir; min (-3e-3 1e-3 0); max (3e-3 5e-3 12e-3); direction (0 0 1); level 6e-3; relaxationTime 5e-3; }\n";
     expectSameBits({.set = "default", .sampled = false, .steps = 12, .sources = sources}, {slabs(1, false), bisected(2), bisected(3), bisected(5)});
     expectSameBits({.set = "Akinci2013", .sampled = true, .steps = 12, .sources = sources}, {bisected(3)});
 }
@@ -462,17 +468,17 @@ TEST(TestParts, SolidParticlesAreThoseOfTheRows)
 
 TEST(TestParts, ModelsThatDoNotSayThatTheySeeGhostsAreRefused)
 {
-    CutDrop drop({"default", "particleShifting closePairs;", false, 1});
-    drop.models->refuseGhostBlind("The liquid cannot be cut into parts");
-    drop.models->particleShifting = std::make_unique<OfOneProcess>();
+    CutDrop drop({"default", "", false, 1});
+    drop.models->refuseGhostBlind(drop.liquid, "The liquid cannot be cut into parts");
+    drop.models->pressure = std::make_unique<OfOneProcess>();
     try
     {
-        drop.models->refuseGhostBlind("The liquid cannot be cut into parts");
+        drop.models->refuseGhostBlind(drop.liquid, "The liquid cannot be cut into parts");
         FAIL();
     }
     catch (const FatalInputError& error)
     {
-        EXPECT_NE(std::string(error.what()).find("cannot be cut into parts with particleShifting closePairs"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("cannot be cut into parts with pressure completedPbf"), std::string::npos) << error.what();
     }
 }
 

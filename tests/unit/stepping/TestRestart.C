@@ -205,7 +205,7 @@ TEST(Restart, HasTheSameBitsWhereLiquidIsTakenOut)
     }
 }
 
-// A nozzle with a flow that rises, a needle and drops of rain, beside the drop and into it: each lets liquid in before and after the restart.
+// A nozzle with a flow that rises, a needle, drops of rain and a pool, beside the drop and into it: each lets liquid in before and after the restart.
 TEST(Restart, HasTheSameBitsWhereLiquidComesIn)
 {
     for (const std::string set : {"default", "XSPH", "Fujisawa2014"})
@@ -217,12 +217,13 @@ TEST(Restart, HasTheSameBitsWhereLiquidComesIn)
             "needle { type needle; mouth (0 0 0); direction (0 0 1); radius 1.5e-3; flowRate 2e-6; }\n"
             "shower { type rain; rate 0.02; corner (-70e-3 -70e-3 20e-3); along (60e-3 0 0); across (0 60e-3 0); direction (0 0 -1); speed 0.5;\n"
             "    sizes { type table; diameters (2.6e-3 3.4e-3); shares (2 1); } seed 4; }\n"
+            "pool { type reservoir; min (-30e-3 8e-3 0); max (-20e-3 16e-3 8e-3); direction (0 0 1); level 4e-3; relaxationTime 2e-3; }\n"
         };
         Drop first(chosen), whole(chosen);
         for (Drop* drop : {&first, &whole}) drop->begin();
         first.steps(5);
         whole.steps(9);
-        for (const std::string source : {"tap", "needle", "shower"})
+        for (const std::string source : {"tap", "needle", "shower", "pool"})
         {
             const double before = first.liquid.numbers().at(Sources::numberOf(source)), later = whole.liquid.numbers().at(Sources::numberOf(source));
             EXPECT_GT(before, 0) << source;

@@ -61,6 +61,7 @@ public:
         folder.write("system/solution", std::string{std::istreambuf_iterator<char>(solution), {}});
         models = std::make_unique<Models>(folder.path(), Dictionary::read(folder.path() / "system/solution"), liquid, walls);
         models->takeEffect(liquid, walls);
+        liquid.ghosts().poisonUndeclared();
     }
 
     std::int64_t period() const

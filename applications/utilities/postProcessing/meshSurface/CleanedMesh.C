@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CleanedMesh.H"
 
-#include "caseFiles/LiquidFiles.H"
-
 namespace shizuku
 {
 
@@ -10,10 +8,10 @@ CleanedMesh::CleanedMesh(const std::filesystem::path& casePath, double spacing, 
 : walls_(casePath, spacing), foot_(walls_, spacing, support)
 {}
 
-double CleanedMesh::clean(TriangleMesh& mesh, const TimeFolder& time, double volume)
+double CleanedMesh::clean(TriangleMesh& mesh, const TimeFolder& time, const std::vector<Vector3>& particles, double volume)
 {
     if (walls_.any()) walls_.readTheta(time.value);
-    return foot_.clean(mesh, readLiquidPositions(time.path), volume);
+    return foot_.clean(mesh, particles, volume);
 }
 
 }

@@ -11,6 +11,7 @@
 #include "core/time/Time.H"
 #include "device/DeviceApplication.H"
 #include "device/Processors.H"
+#include "drops/SeparateBodies.H"
 #include "meshes/surfaceFormats/SurfaceFormat.H"
 #include "parallel/AllParts.H"
 #include "parallel/ParallelRun.H"
@@ -105,38 +106,69 @@ struct Share
     std::vector<Position> positions;
 };
 
-// With the mirror images across symmetry planes.
-void unfold(Share& share, const Sides& sides)
+// The liquid of a time: bodies across cyclic sides in one piece, with the mirror images across symmetry planes.
+class WholeLiquid
 {
-    share.positions = unfolded(std::move(share.positions), sides);
-    share.all *= unfolded(std::vector<Position>(1), sides).size();
-}
+public:
+    WholeLiquid(const std::filesystem::path& casePath, double spacing, double unit) : unit_(unit), reach_(bodyReach * spacing / unit), sides_(Sides::read(casePath, unit)) {}
 
-Share readShare(const TimeFolder& time, double unit, const Communicator& parts)
-{
-    Share share;
-    const auto choose = [&](std::size_t n)
+    // A part's share. Where bodies are to be joined, each part has to see all particles.
+    Share share(const TimeFolder& time, const Communicator& parts) const
     {
-        share.all = n;
-        const auto [first, end] = shareOf(parts, n);
-        return ElementRange{first, end};
-    };
-    inAllParts(parts, [&] { share.positions = scaled(readLiquidPositions(time.path, choose), unit); });
-    return share;
-}
+        Share share;
+        const bool joins = sides_ && sides_->box().has(Sides::Kind::cyclic);
+        std::pair<std::size_t, std::size_t> own;
+        const auto choose = [&](std::size_t n)
+        {
+            share.all = n;
+            own = shareOf(parts, n);
+            return joins ? ElementRange{0, n} : ElementRange{own.first, own.second};
+        };
+        inAllParts(parts, [&] { share.positions = scaled(readLiquidPositions(time.path, choose), unit_); });
+        if (!sides_) return share;
+        if (joins)
+        {
+            const std::vector<Position> all = joinedAcross(std::move(share.positions), *sides_, reach_);
+            share.positions.assign(all.begin() + long(own.first), all.begin() + long(own.second));
+        }
+        share.positions = unfolded(std::move(share.positions), *sides_);
+        share.all *= unfolded(std::vector<Position>(1), *sides_).size();
+        return share;
+    }
+
+    // All of it, m.
+    std::vector<Vector3> positions(const TimeFolder& time) const
+    {
+        std::vector<Vector3> positions = readLiquidPositions(time.path);
+        if (!sides_) return positions;
+        const auto whole = unfolded(joinedAcross(scaled(positions, unit_), *sides_, reach_), *sides_);
+        positions.clear();
+        for (const Position& each : whole)
+        {
+            const Place x = placeOf(each);
+            positions.push_back(unit_ * Vector3(quanta::lengthOf(x.x), quanta::lengthOf(x.y), quanta::lengthOf(x.z)));
+        }
+        return positions;
+    }
+
+private:
+    double unit_, reach_;
+    std::optional<Sides> sides_;
+};
 
 // What the files have.
 struct MeshNumbers
 {
     double filled, spacing;             // m3: N d^3; m
     bool conserves;
+    const WholeLiquid& liquid;
     CleanedMesh* cleaned;          // null: the mesh as it is
 };
 
 void writeWhole(const Formats& formats, const TimeFolder& time, TriangleMesh mesh, const MeshNumbers& numbers, std::string& text)
 {
     double offset = 0;
-    if (numbers.cleaned) offset = numbers.cleaned->clean(mesh, time, numbers.conserves ? numbers.filled : mesh.volume());
+    if (numbers.cleaned) offset = numbers.cleaned->clean(mesh, time, numbers.liquid.positions(time), numbers.conserves ? numbers.filled : mesh.volume());
     else if (numbers.conserves) offset = offsetToVolume(mesh, numbers.filled, 0.5 * numbers.spacing);
     if (numbers.conserves) text = conserved(offset, numbers.spacing);
     for (const auto& [word, format] : formats)
@@ -189,7 +221,7 @@ void meshSurface(const Arguments& args, const Communicator& parts)
     const SurfaceParameters parameters = readSurfaceParameters(args.casePath(), units.toScaled(spacing, dimensions::length));
     LiquidSurface surface(parameters);
     const SurfaceFileControls controls = readSurfaceFileControls(args.casePath());
-    const std::optional<Sides> sides = Sides::read(args.casePath(), units.length);
+    const WholeLiquid liquid(args.casePath(), spacing, units.length);
     const Formats formats = chosenFormats(args, controls.formats);
     const auto times = timesWithLiquid(args);
     std::optional<CleanedMesh> cleaned;
@@ -201,8 +233,7 @@ void meshSurface(const Arguments& args, const Communicator& parts)
     std::size_t most = 0;
     for (std::size_t t = 0; t < times.size(); ++t)
     {
-        Share share = readShare(times[t], units.length, parts);
-        if (sides) unfold(share, *sides);
+        Share share = liquid.share(times[t], parts);
         const auto [cut, own] = surface.particlesOfLayers(std::exchange(share.positions, {}), parts);
         const Buffer<Position> particles(own);
         surface.build(particles.span(), cut);
@@ -211,7 +242,7 @@ void meshSurface(const Arguments& args, const Communicator& parts)
         std::cout << "Time = " << times[t].name << " s: " << mesh.triangles() << " triangles, "
                   << mesh.vertices() << " vertices, volume " << volume << " m3";
         if (filled > 0) std::cout << " (" << signedPercent(volume / filled - 1) << " against the particles' N d^3)";
-        std::cout << write(formats, times[t], mesh, {filled, spacing, controls.conserveVolume && filled > 0, cleaned ? &*cleaned : nullptr}, parts) << std::endl;
+        std::cout << write(formats, times[t], mesh, {filled, spacing, controls.conserveVolume && filled > 0, liquid, cleaned ? &*cleaned : nullptr}, parts) << std::endl;
         if (repeats > 0 && filled > 0) reportMeshTimes(surface, particles.span(), repeats);
         progress.update(double(t + 1) / double(times.size()));
         most = std::max(most, own.size());

@@ -52,21 +52,71 @@ FieldData curvatureOf(const TriangleMesh& mesh)
     return curvature;
 }
 
-// Some of the elements of a field.
-void append(FieldData& to, const FieldData& from, const std::vector<std::size_t>& elements)
+// A particle, or its image across sides of the box.
+struct Image
+{
+    std::size_t particle;
+    Vector3 place;                          // m
+    Vector3 sign{1, 1, 1};                  // of the components of its vectors
+};
+
+// With what the sides of an axis add: a period to either side, or the mirror image.
+void addAcross(std::vector<Image>& images, const BoxSides& sides, int axis)
+{
+    const std::size_t before = images.size();
+    const auto add = [&](std::size_t k, double sign, double offset)
+    {
+        Image image = images[k];
+        image.place[axis] = sign*image.place[axis] + offset;
+        image.sign[axis] *= sign;
+        images.push_back(image);
+    };
+    const auto& [lower, upper] = sides.kind[axis];
+    const auto& [low, high] = sides.at[axis];
+    for (std::size_t k = 0; k < before; ++k)
+    {
+        if (lower == BoxSides::Kind::cyclic)
+        {
+            add(k, 1, high - low);
+            add(k, 1, low - high);
+        }
+        else if (lower == BoxSides::Kind::symmetryPlane) add(k, -1, 2*low);
+        else if (upper == BoxSides::Kind::symmetryPlane) add(k, -1, 2*high);
+    }
+}
+
+// Those in a box: surfaces are of the liquid as a whole, with its mirror images, and of bodies in one piece that lie across cyclic sides.
+std::vector<Image> imagesIn(const Vector3& low, const Vector3& high, const std::vector<Vector3>& particles, const std::optional<BoxSides>& sides)
+{
+    std::vector<Image> chosen, images;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+    {
+        images.assign(1, Image{i, particles[i]});
+        for (int axis = 0; sides && axis < 3; ++axis) addAcross(images, *sides, axis);
+        for (const Image& image : images)
+        {
+            const Vector3& x = image.place;
+            if (x.x >= low.x && x.y >= low.y && x.z >= low.z && x.x <= high.x && x.y <= high.y && x.z <= high.z) chosen.push_back(image);
+        }
+    }
+    return chosen;
+}
+
+// A field's values of those.
+void append(FieldData& to, const FieldData& from, const std::vector<Image>& images)
 {
     if (from.uniform) return;
     const int components = componentsOf(from.type);
-    for (const std::size_t i : elements)
+    for (const Image& image : images)
     {
-        for (int c = 0; c < components; ++c) to.values.push_back(from(i, c));
+        for (int c = 0; c < components; ++c) to.values.push_back((from.type == FieldType::vector ? image.sign[c] : 1)*from(image.particle, c));
     }
 }
 
 }
 
 SurfaceFields::SurfaceFields(const std::filesystem::path& casePath, double spacing, const LiquidFields& fields, const Communicator& parts)
-: case_(casePath), spacing_(spacing), fields_(fields), parts_(parts), near_(casePath, spacing), bodies_(spacing)
+: case_(casePath), spacing_(spacing), fields_(fields), parts_(parts), sides_(BoxSides::read(casePath)), near_(casePath, spacing), bodies_(spacing)
 {}
 
 void SurfaceFields::start(const TimeFolder& time)
@@ -127,14 +177,8 @@ std::vector<FieldData> SurfaceFields::liquidAt(const std::vector<Vector3>& place
         const std::vector<Vector3> particles = readLiquidPositions(time_.path, choose);
         std::vector<FieldData> of = fields_.read(time_.path, body_.size(), choose);
         of.push_back({"body", FieldType::label, dimensions::none, false, {body_.begin() + long(first), body_.begin() + long(end)}});
-        std::vector<std::size_t> chosen;
-        for (std::size_t i = 0; i < particles.size(); ++i)
-        {
-            const Vector3& x = particles[i];
-            const bool isIn = x.x >= low.x && x.y >= low.y && x.z >= low.z && x.x <= high.x && x.y <= high.y && x.z <= high.z;
-            if (isIn) chosen.push_back(i);
-        }
-        for (const std::size_t i : chosen) near.push_back(particles[i]);
+        const std::vector<Image> chosen = imagesIn(low, high, particles, sides_);
+        for (const Image& image : chosen) near.push_back(image.place);
         for (std::size_t f = 0; f < of.size(); ++f)
         {
             if (first == 0)

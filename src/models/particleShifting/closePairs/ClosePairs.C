@@ -63,7 +63,7 @@ public:
         surface.requireUsual(liquid);
     }
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override { return Columns{valuesOf(liquid.position)}; }
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
@@ -74,7 +74,7 @@ public:
         {
             distance_ * d, most * d, outermost * d, liquid.position.span(), near.view(), surface_.view(), walls.stop(liquid),
             liquid.predicted.span()
-        }, {valuesOf(liquid.position)}, {});
+        });
         liquid.position.swap(liquid.predicted);
     }
 

@@ -153,7 +153,7 @@ public:
         if (made_ > 0 || liquid.isEmpty()) return true;
         pressure_.resizeDiscarding(liquid.all());
         nearPressure_.resizeDiscarding(liquid.all());
-        liquid.ghosts().copy({placesOf(liquid.predicted)}, GhostsOf::lists);
+        liquid.ghosts().copyDeclared();
         forEach(liquid.owned(), Pressures
         {
             relaxation_, 1 / liquid.particleVolume(), liquid.predicted.span(), near.view(), walls.view(liquid).particles,
@@ -175,7 +175,7 @@ public:
         liquid.predicted.swap(corrected_);
     }
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override { return Columns{placesOf(liquid.predicted)}; }
     double stepLimit(const LiquidProperties&) const override { return sound_.stepLimit; }
     double mostCrowded() const override { return 1; }           // from 0.95 spacings drops come to rest
     int iterations() const override { return made_; }

@@ -197,17 +197,17 @@ public:
         (
             [&]<class Kernel>(const Kernel& W)
             {
+                liquid.ghosts().copyDeclared();
                 if (iterations_ == 0)
                 {
-                    liquid.ghosts().copy({valuesOf(liquid.position)}, GhostsOf::lists);
                     prepare(W, liquid, near, walls);
                     computeDensity(liquid, liquid.position, near, walls);
                     start_.resizeDiscarding(liquid.all());
                     start_.swap(liquid.density);
                     forEach(liquid.owned(), WarmStart{warmStart_ ? perPressure : 0, pressure_.span(), increase_.span()});
                     if (warmStart_) push(W, liquid, near, walls, liquid.predicted);
+                    liquid.ghosts().copy({placesOf(liquid.predicted)}, GhostsOf::lists);
                 }
-                liquid.ghosts().copy({placesOf(liquid.predicted)}, GhostsOf::lists);
                 forEach(liquid.owned(), DensityStep<Kernel>
                 {
                     {W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view(liquid)},
@@ -256,7 +256,10 @@ public:
         );
     }
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override
+    {
+        return Columns{iterations_ == 0 ? valuesOf(liquid.position) : placesOf(liquid.predicted)};
+    }
     int iterations() const override { return iterations_; }
     double mostCompression() const override { return mostTakenOutAtOnce; }
     const Buffer<scalar>* keepPressure() override { return &pressure_; }

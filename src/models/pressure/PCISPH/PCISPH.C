@@ -63,9 +63,7 @@ public:
         if (iterations_ >= controls_.maxIterations || liquid.isEmpty()) return true;
         const scalar perPressure = dt_ * dt_ / liquid.restDensity();
         increase_.resizeDiscarding(liquid.all());
-        Columns read{placesOf(liquid.predicted)};
-        if (iterations_ == 0) read.push_back(valuesOf(liquid.position));
-        liquid.ghosts().copy(read, GhostsOf::lists);
+        liquid.ghosts().copyDeclared();
         computeDensity(liquid, near, walls);
         forEach(liquid.owned(), RaiseByDensity
         {
@@ -93,7 +91,11 @@ public:
         forEach(liquid.owned(), AddPressure{liquid.restDensity() / (dt_ * dt_), increase_.span(), pressure_.span()});
     }
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override
+    {
+        if (iterations_ > 0) return Columns{placesOf(liquid.predicted)};
+        return Columns{placesOf(liquid.predicted), valuesOf(liquid.position)};
+    }
     int iterations() const override { return iterations_; }
     double mostCompression() const override { return mostTakenOutAtOnce; }
     const Buffer<scalar>* keepPressure() override { return &pressure_; }

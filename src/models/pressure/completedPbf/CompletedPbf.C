@@ -58,6 +58,11 @@ namespace shizuku
 namespace
 {
 
+// The increase of the pressure, dt^2/rho0 dp, travels with the predicted position in the place of its block (device/Position.H): one access brings a neighbour's both.
+HOST_DEVICE inline void setIncrease(Position& x, scalar increase) { x.w = wordOf(increase); }
+HOST_DEVICE inline scalar increaseAt(Position x) { return numberOf(x.w); }
+HOST_DEVICE inline auto increaseBehind(Vector auto difference) { return difference.w; }        // of the neighbour at the difference's end
+
 template<class Kernel, class Stress, class Tangential>
 struct RaisePressure
 {
@@ -67,7 +72,7 @@ struct RaisePressure
     scalar volume, densityVolume;           // V, V/S
     scalar ordering;                        // o
     scalar relaxation, epsilon, perPressure; // perPressure: dt^2/rho0
-    Span<Position> x;                       // gets dt^2/rho0 dp in the place of its block
+    Span<Position> x;                       // gets its increase (setIncrease)
     NeighbourView near;
     WallContribution walls;
     FreeSurfaceView surface;
@@ -98,7 +103,7 @@ struct RaisePressure
         const scalar before = Stress::present ? 0 : pressure[i];
         const scalar step = relaxation * (density[i] - 1) / (sums.squares + squared(gradient) + epsilon);
         const scalar raised = fmax(before + step / perPressure, own.lowestPressure), increase = (raised - before) * perPressure;
-        x[i].w = wordOf(increase);
+        setIncrease(x[i], increase);
 
         const Vec3 disorder = gradient - gas.gradient / fmax(norm(own.gradient), 1e-20f) * own.gradient;
         const Vec3 e = 2 * increase * ((raised < 0 ? -ordering : ordering) - 1) * disorder;
@@ -114,7 +119,7 @@ struct Displace
 
     Kernel W;
     scalar volume, perPressure;
-    Span<const Position> x;                 // with w = dt^2/rho0 dp
+    Span<const Position> x;                 // with their increases
     NeighbourView near;
     Span<Position> moved;                   // holds the push before (vectorIn), then where it brings the particle
     bool pushIsInternal;                    // all of the push should not move the liquid as a whole, or `order` of it
@@ -128,7 +133,7 @@ struct Displace
     HOST_DEVICE void operator()(int i, Team team) const
     {
         const Position xi = x[i];
-        const scalar own = numberOf(xi.w);
+        const scalar own = increaseAt(xi);
         const Vec3 push = vectorIn(moved[i]);
         Team::Vector sum, ofStress;
         typename Tangential::Sum along;
@@ -136,8 +141,9 @@ struct Displace
         near.forEach(i, xi, x, [&]([[maybe_unused]] auto j, auto r)
         {
             const auto slope = W.g(norm(r)) * r;
-            sum += (r.w + own) * slope;
-            along.add(slope, r.w - own);
+            const auto other = increaseBehind(r);
+            sum += (other + own) * slope;
+            along.add(slope, other - own);
             if constexpr (Stress::present) ofStress += (stress[j] + ownStress) * slope;
         }, team);
         Vec3 step = volume * team.sum(sum), more;
@@ -208,8 +214,8 @@ public:
         if (iterations_ == 0)
         {
             stress_.resizeDiscarding(liquid.all());
-            normals_.resizeDiscarding(alongSurfaces_ ? surface_.particles().indices.size() + 1 : 0);
-            wallNormals_.resizeDiscarding(alongSurfaces_ ? liquid.all() : 0);
+            surfacePlanes_.resizeDiscarding(alongSurfaces_ ? surface_.particles().indices.size() + 1 : 0);
+            wallPlanes_.resizeDiscarding(alongSurfaces_ ? liquid.all() : 0);
             if (alongSurfaces_) raisePressure(liquid, near, walls, stress(liquid), tangential());
             else raisePressure(liquid, near, walls, stress(liquid), NoTangentialGradient{});
         }
@@ -238,7 +244,8 @@ public:
     void commit() override
     {
         push_ = {};
-        for (Buffer<Vec3>* buffer : {&order_, &normals_, &wallNormals_, &total_}) *buffer = {};
+        for (Buffer<Vec3>* buffer : {&order_, &total_}) *buffer = {};
+        for (Buffer<BoundingPlane>* buffer : {&surfacePlanes_, &wallPlanes_}) *buffer = {};
     }
 
     bool settles() const override { return true; }
@@ -252,7 +259,11 @@ public:
 
     void complete() override { steady_.complete(); }
 
-    bool seesGhosts() const override { return true; }
+    // From the first correction on displace() gives ghosts their places.
+    std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override
+    {
+        return iterations_ == 0 ? Columns{placesOf(liquid.predicted)} : Columns{};
+    }
     int iterations() const override { return iterations_; }
     const Buffer<scalar>* keepPressure() override { return &pressure_; }
 
@@ -267,12 +278,8 @@ private:
         Liquid& liquid, const Neighbourhood& near, const Walls& walls, const Stress& stress, const Tangential& tangential
     )
     {
-        Columns read, made{numbersOf(liquid.predicted)};
-        if (Stress::present)
-        {
-            read.push_back(placesOf(liquid.predicted));
-            made.push_back(valuesOf(stress_, Column::Kind::deviators));
-        }
+        Columns made{numbersOf(liquid.predicted)};
+        if (Stress::present) made.push_back(valuesOf(stress_, Column::Kind::deviators));
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -285,7 +292,7 @@ private:
                     .walls = {extended_->view(), W.h, walls.view(liquid), edges_.view()}, .surface = surface_.view(), .plane = {plane_.span(), W.h},
                     .pressure = std::as_const(pressure_).span(), .density = liquid.density.span(), .push = push_.span(), .order = order_.span(),
                     .stress = stress, .tangential = tangential
-                }, read, made);
+                }, {}, made);
             },
             liquid.kernel()
         );
@@ -329,7 +336,7 @@ private:
         return {{orderRemoved_, 0.5f * liquid.spacing()}, dt_ * dt_ / liquid.restDensity(), stress_.span()};
     }
 
-    TangentialGradient tangential() { return {surface_.view(), normals_.span(), wallNormals_.span()}; }
+    TangentialGradient tangential() { return {surface_.view(), surfacePlanes_.span(), wallPlanes_.span()}; }
 
     PressureControls controls_;
     scalar ordering_, orderRemoved_;        // o, r
@@ -346,7 +353,7 @@ private:
     std::optional<bool> givenAlongSurfaces_;
     bool alongSurfaces_ = false;            // in this step
     Buffer<Vec3> stress_;                   // of the first iteration
-    Buffer<Vec3> normals_, wallNormals_;    // with alongSurfaces: of the particles near the surface, and of all, from walls
+    Buffer<BoundingPlane> surfacePlanes_, wallPlanes_;  // with alongSurfaces: of the particles near the surface, and of all, from walls
     Buffer<Position> push_;                 // shares its memory with the predicted positions to come
     Buffer<Vec3> order_, total_;            // empty: order_ with one contact angle, both where walls hold in all directions
     SteadyIterations steady_;

@@ -116,7 +116,7 @@ public:
     {
         if (iterations_ >= controls_.maxIterations || liquid.isEmpty()) return true;
         if (pressure_ && iterations_ == 0) pressure_->setZero();
-        liquid.ghosts().copy({placesOf(liquid.predicted)}, GhostsOf::lists);
+        liquid.ghosts().copyDeclared();
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -158,7 +158,7 @@ public:
         }
     }
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override { return Columns{placesOf(liquid.predicted)}; }
     int iterations() const override { return iterations_; }
     double mostCrowded() const override { return 1; }           // from 0.95 spacings drops come to rest
 

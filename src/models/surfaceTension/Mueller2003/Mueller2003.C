@@ -89,7 +89,7 @@ public:
         });
     }
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
 
 private:
     Poly6 W_;

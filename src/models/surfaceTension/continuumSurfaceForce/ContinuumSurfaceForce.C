@@ -49,9 +49,9 @@ struct Force
     scalar sigma, restDensity, steepest, along;     // along: how much of the part along the surface
     NeighbourView near;
     FreeSurfaceView surface;
-    Span<const Vec3> normal;                        // with w = b
+    Span<const Vec3> normal;                        // with b
     Span<const scalar> curvature;
-    Span<Vec3> gradient;                            // with w = the lowest pressure
+    Span<Vec3> gradient;                            // with the lowest pressures
     ForceTarget target;
 
     HOST_DEVICE void operator()(int i, Team team) const
@@ -60,13 +60,13 @@ struct Force
         const Position xi = surface.position[k];
         const Vec3 mi = normal[k];
         if (squared(mi) == 0) return;
-        const scalar own = curvature[k], ownWeight = W.W(0) * mi.w;
+        const scalar own = curvature[k], ownWeight = W.W(0) * weightBeside(mi);
         scalar weight = 0, sum = 0, spread = 0;
         Vec3 slopes = {};
         forEachOnSurface(i, mi, near, surface, normal, [&](int l, Vec3 other)
         {
             const Vec3 r = surface.position[l] - xi, t = r - dot(r, mi) * mi;
-            const scalar w = W.W(norm(r)) * other.w;
+            const scalar w = W.W(norm(r)) * weightBeside(other);
             weight += w;
             sum += w * curvature[l];
             slopes += w * (curvature[l] - own) * t;
@@ -79,9 +79,9 @@ struct Force
         if (!team.first()) return;
         const scalar kappa = steadied(own, weight > 0 ? sum / weight : own), jump = sigma * kappa;
         const Vec3 G = gradient[k];
-        gradient[k].w = lowestBehind(jump, G.w);
+        setLowestPressure(gradient[k], lowestBehind(jump, lowestPressureBeside(G)));
         const Vec3 g = spread > 0 ? 2 / spread * slope : Vec3{};
-        const Vec3 acceleration = 1 / restDensity * (2 * jump / layer.sum(kappa) * mi.w * G
+        const Vec3 acceleration = 1 / restDensity * (2 * jump / layer.sum(kappa) * weightBeside(mi) * G
                                                      - along * sigma * layer.deeper(norm(G) / steepest) * g);
         target.add(i, acceleration);
     }
@@ -95,7 +95,7 @@ public:
         CurvatureTension(coeffs, liquid, surface)
     {}
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
 
 private:
     void add

@@ -162,7 +162,7 @@ struct Push
     scalar restDensity;
     FreeSurfaceView surface;
     Span<const KernelDeficiency> deficiency;
-    Span<Vec3> gradient;                    // with w = the lowest pressure
+    Span<Vec3> gradient;                    // with the lowest pressures
     ForceTarget target;
 
     HOST_DEVICE void operator()(int i, scalar jump, scalar more) const { push(i, jump, withDisorder(jump, more)); }
@@ -172,7 +172,7 @@ struct Push
     {
         const int k = int(surface.place[i]);
         const Vec3 G = gradient[k];
-        gradient[k].w = lowestBehind(lowestOf, G.w);
+        setLowestPressure(gradient[k], lowestBehind(lowestOf, lowestPressureBeside(G)));
         target.add(i, 2 * jump * deficiency[k].planar / (restDensity * norm(G)) * G);
     }
 };
@@ -219,7 +219,7 @@ struct FindJump
     scalar followed;                                // share of what single curvatures differ by from their mean
     NeighbourView near;
     FreeSurfaceView surface;
-    Span<const Vec3> normal;                        // with w = b
+    Span<const Vec3> normal;                        // with b
     Span<const KernelDeficiency> deficiency;
     Take take;
 
@@ -232,16 +232,16 @@ struct FindJump
         const scalar own = deficiency[k].curvature;
         const scalar depth = surface.depthOf(k);
         const bool first = team.first();
-        scalar weight = first ? W.W(0) * mi.w : 0, kappas = weight * own;
+        scalar weight = first ? W.W(0) * weightBeside(mi) : 0, kappas = weight * own;
         scalar planar = first ? W.W(0) * deficiency[k].planar : 0, disorder = first ? W.W(0) * deficiency[k].disorder : 0;
         scalar all = first ? W.W(0) : 0, filled = all * deficiency[k].filled;
         forEachOnSurface(i, mi, near, surface, normal, [&](int l, Vec3 other)
         {
             const scalar w = W.W(norm(surface.position[l] - xi));
             const KernelDeficiency there = deficiency[l];
-            weight += w * other.w;
-            kappas += w * other.w * there.curvature;
-            const scalar alike = w * (1 - fabs(numberOf(surface.position[l].w) - depth) / (unlike * spacing));
+            weight += w * weightBeside(other);
+            kappas += w * weightBeside(other) * there.curvature;
+            const scalar alike = w * (1 - fabs(depthBeside(surface.position[l]) - depth) / (unlike * spacing));
             planar += alike * there.planar;
             disorder += alike * there.disorder;
             all += w;
@@ -276,7 +276,7 @@ public:
         surface.agreed().closest = halfOfLayers;
     }
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
     int parts(scalar dt) const override { return semiImplicit_.parts(dt); }
 
 private:

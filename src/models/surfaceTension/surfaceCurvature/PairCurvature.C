@@ -15,7 +15,7 @@ struct SmoothNormal
     scalar steepest;                        // the planar |G|
     FreeSurfaceView surface;
     Search near;
-    Span<Vec3> normal;                      // with w = b; zero away from the surface
+    Span<Vec3> normal;                      // with b; zero away from the surface
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
@@ -41,24 +41,14 @@ struct SmoothNormal
         const int k = places.first + team.lane;
         const Vec3 G = surface.gradient[k], sum = sums - W.W(0) * G;
         const bool isNear = (group.members >> team.lane & 1) != 0;
-        Vec3 mean = isNear ? 1 / norm(sum) * sum : Vec3{};
-        mean.w = isNear ? surfaceWeight(norm(G) / steepest) : 0;
-        normal[k] = mean;
+        normal[k] = isNear ? withWeight(1 / norm(sum) * sum, surfaceWeight(norm(G) / steepest)) : Vec3{};
     }
 };
 
 template<class Search>
-struct Curvature
+struct Curvature : CurvatureSums
 {
-    WendlandC2 W;
-    scalar volume, largest;
-    FreeSurfaceView surface;
-    Span<const Vec3> normal;                // with w = b
-    Search near;                            // among positions with w = depth
-    Span<const std::uint32_t> selected;
-    ExtendedLiquidView extended;
-    WallView walls;
-    Span<scalar> curvature;                 // meaningless away from the surface
+    Search near;                            // among positions with depths
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
@@ -69,12 +59,12 @@ struct Curvature
             const auto same = onSameSurface(group.normal[p], other);
             if (noneOf(same)) return;
             const auto mean = group.normal[p] + other;
-            const auto slope = same ? -volume * other.w * W.g(norm(r)) : 0;
+            const auto slope = same ? -volume * weightBeside(other) * W.g(norm(r)) : 0;
             const auto up = dot(r, mean);
             const auto along = same ? slope * (squared(r) - up * up / squared(mean)) : 0;
             spreads[p] -= slope * dot(r, other - group.normal[p]);
             weights[p] += along;
-            depths[p] += along * 0.5f * (group.depth[p] + r.w);
+            depths[p] += along * 0.5f * (group.depth[p] + depthBeside(r));
         }, team);
         const scalar spread = team.sums(spreads), weight = team.sums(weights), depth = team.sums(depths);
         if (!group.has(team.lane)) return;
@@ -111,15 +101,12 @@ private:
 
 PairCurvature::PairCurvature(const Dictionary& coeffs, const Liquid& liquid, FreeSurface& surface, scalar sigma)
 :
-    surface_(surface)
-{
-    requireSurface(coeffs, liquid, surface, sigma);
-}
+    SurfaceCurvature(coeffs, liquid, surface, sigma, WedgePart::whole)
+{}
 
 CurvatureField PairCurvature::normals(const Liquid& liquid, const Neighbourhood& near, const Walls&)
 {
-    const int room = surface_.particles().indices.size();
-    CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
+    CurvatureField field = makeField();
     liquid.ghosts().copy({surface_.positions(), surface_.gradients()});
     asShared(near.wide(liquid, surface_.particles(), surface_.position()), [&]<class Search>(const Search& among)
     {
@@ -135,15 +122,9 @@ Columns PairCurvature::read(CurvatureField& field) const
 
 void PairCurvature::curvatures(CurvatureField& field, const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
 {
-    const WendlandC2 W = surface_.kernel();
-    if (!extended_) extended_.emplace(W, walls.contactAngles(W.h), weightsByDepth(W, surface_.steepest()));
-    asShared(near.wide(liquid, surface_.particles(), surface_.position()), [&]<class Search>(const Search& among)
+    findCurvatures(field, liquid, near, walls, [&]<class Search>(const CurvatureSums& sums, const Search& among)
     {
-        forEachGroup(surface_.particles(), Curvature<Search>
-        {
-            W, liquid.particleVolume(), largestCurvature(liquid), surface_.view(), field.normal.span(), among,
-            surface_.particles().indices.span(), extended_->view(), walls.view(liquid), field.curvature.span()
-        });
+        forEachGroup(surface_.particles(), Curvature<Search>{sums, among});
     });
 }
 

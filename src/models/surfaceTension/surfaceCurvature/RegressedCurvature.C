@@ -13,7 +13,7 @@ struct OutwardNormal
     scalar steepest;                        // the planar |G|
     FreeSurfaceView surface;
     WallView walls;
-    Span<Vec3> normal;                      // with w = beta; zero away from the surface
+    Span<Vec3> normal;                      // with beta; zero away from the surface
 
     HOST_DEVICE void operator()(int i) const
     {
@@ -25,14 +25,13 @@ struct OutwardNormal
             normal[k] = {};
             return;
         }
-        Vec3 m = -1 / slope * G;
+        const Vec3 m = -1 / slope * G;
         scalar weight = surfaceWeight(slope / steepest);
         walls.forEachContact(i, surface.position[k], plane.h, [&](int, const WallContact& wall)
         {
             weight *= trust(1 - 2 * plane(wall.distance).density, dot(m, wall.normal));
         });
-        m.w = weight;
-        normal[k] = m;
+        normal[k] = withWeight(m, weight);
     }
 
 private:
@@ -100,17 +99,9 @@ HOST_DEVICE inline scalar traceOfLine(const LineSums<scalar>& sums, scalar least
 }
 
 template<class Search>
-struct Regress
+struct Regress : CurvatureSums
 {
-    WendlandC2 W;
-    scalar volume, largest;
-    FreeSurfaceView surface;
-    Span<const Vec3> normal;                // with w = beta
-    Search near;                            // among positions with w = depth
-    Span<const std::uint32_t> selected;
-    ExtendedLiquidView extended;
-    WallView walls;
-    Span<scalar> curvature;                 // zero away from the surface
+    Search near;                            // among positions with depths
 
     HOST_DEVICE void operator()(Group places, Team team) const
     {
@@ -125,7 +116,7 @@ struct Regress
             if (noneOf(same)) return;
             const auto mean = group.normal[p] + other;
             const auto across = same ? dot(r, mean) / squared(mean) : 0;
-            sums[p].add(same ? volume * other.w * W.W(norm(r)) : 0, plane[p], across * mean - r, other, 0.5f * (group.depth[p] + r.w));
+            sums[p].add(same ? volume * weightBeside(other) * W.W(norm(r)) : 0, plane[p], across * mean - r, other, 0.5f * (group.depth[p] + depthBeside(r)));
         }, team);
         LineSums<scalar> all;
         #pragma unroll
@@ -148,7 +139,7 @@ private:
         const Position xi = near.points[k];
         const Vec3 mi = normal[k];
         const TangentPlane plane(mi);
-        sums.add(volume * mi.w * W.W(0), plane, Vec3{}, mi, surface.depthOf(k));
+        sums.add(volume * weightBeside(mi) * W.W(0), plane, Vec3{}, mi, surface.depthOf(k));
         const ContactLine line = surface.contactAt(k);
         walls.forEachContact(i, xi, W.h, [&](int a, const WallContact& wall)
         {
@@ -170,15 +161,12 @@ private:
 
 RegressedCurvature::RegressedCurvature(const Dictionary& coeffs, const Liquid& liquid, FreeSurface& surface, scalar sigma)
 :
-    surface_(surface)
-{
-    requireSurface(coeffs, liquid, surface, sigma);
-}
+    SurfaceCurvature(coeffs, liquid, surface, sigma, WedgePart::ahead)
+{}
 
 CurvatureField RegressedCurvature::normals(const Liquid& liquid, const Neighbourhood&, const Walls& walls)
 {
-    const int room = surface_.particles().indices.size();
-    CurvatureField field{Buffer<Vec3>(room), Buffer<scalar>(room)};
+    CurvatureField field = makeField();
     forEach(surface_.particles(), OutwardNormal{surface_.plane(), surface_.steepest(), surface_.view(), walls.view(liquid), field.normal.span()});
     return field;
 }
@@ -190,15 +178,9 @@ Columns RegressedCurvature::read(CurvatureField& field) const
 
 void RegressedCurvature::curvatures(CurvatureField& field, const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
 {
-    const WendlandC2 W = surface_.kernel();
-    if (!extended_) extended_.emplace(W, walls.contactAngles(W.h), weightsByDepth(W, surface_.steepest()), WedgePart::ahead);
-    asShared(near.wide(liquid, surface_.particles(), surface_.position()), [&]<class Search>(const Search& among)
+    findCurvatures(field, liquid, near, walls, [&]<class Search>(const CurvatureSums& sums, const Search& among)
     {
-        forEachGroup(surface_.particles(), Regress<Search>
-        {
-            W, liquid.particleVolume(), largestCurvature(liquid), surface_.view(), field.normal.span(), among,
-            surface_.particles().indices.span(), extended_->view(), walls.view(liquid), field.curvature.span()
-        });
+        forEachGroup(surface_.particles(), Regress<Search>{sums, among});
     });
 }
 

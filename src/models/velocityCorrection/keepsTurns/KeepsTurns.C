@@ -82,7 +82,7 @@ public:
         }))
     {}
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override { return Columns{valuesOf(liquid.position)}; }
 
     void notePrediction(const Liquid& liquid) override
     {
@@ -93,10 +93,10 @@ public:
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls&, scalar dt) override
     {
         Buffer<Vec3> turn(liquid.all());
-        liquid.ghosts().forEachTeam(liquid.owned(), FindTurn
+        liquid.ghosts().forEachOwned(liquid.owned(), FindTurn
         {
             dt, std::as_const(way_).span(), std::as_const(liquid.velocity).span(), before_.span(), turn.span()
-        }, {}, {valuesOf(liquid.position), valuesOf(turn)});
+        }, {valuesOf(turn)});
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)

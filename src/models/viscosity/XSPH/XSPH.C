@@ -64,7 +64,7 @@ public:
         noSlip_(coeffs.lookupOr("noSlip", true)), controls_(coeffs, liquid, defaultsOfXSPH, noSlip_)
     {}
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override { return Columns{valuesOf(liquid.position), valuesOf(liquid.velocity)}; }
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
@@ -77,7 +77,7 @@ public:
                 {
                     W, controls_.share(dt), liquid.particleVolume(), liquid.position.span(), liquid.velocity.span(), near.view(), noSlip_,
                     controls_.slipAbove(), walls.view(liquid), smoothed.span()
-                }, {valuesOf(liquid.position), valuesOf(liquid.velocity)}, {});
+                });
             },
             liquid.kernel()
         );

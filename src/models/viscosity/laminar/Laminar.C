@@ -65,7 +65,7 @@ public:
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
         diffused_.resizeDiscarding(liquid.all());
-        liquid.ghosts().copy({valuesOf(liquid.position), valuesOf(liquid.velocity)}, GhostsOf::lists);
+        liquid.ghosts().copyDeclared();
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
@@ -81,7 +81,7 @@ public:
         liquid.velocity.swap(diffused_);
     }
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override { return Columns{valuesOf(liquid.position), valuesOf(liquid.velocity)}; }
     double stepLimit(const LiquidProperties& p) const override { return 0.125 * p.spacing * p.spacing / p.viscosity; }
 
 private:

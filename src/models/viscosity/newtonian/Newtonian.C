@@ -80,7 +80,7 @@ public:
         weights_(weightsOf(liquid.kernel()))
     {}
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override { return Columns{valuesOf(liquid.position), valuesOf(liquid.velocity)}; }
     bool holdsAtWalls() const override { return friction_.holds(); }
 
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override

@@ -91,7 +91,7 @@ public:
 
     // Where beta is given it says how a wall attracts.
     bool usesContactAngles() const override { return beta_ < 0; }
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
 
     void apply(Liquid& liquid, const Neighbourhood&, const Walls& walls, Buffer<Vec3>& acceleration) override
     {

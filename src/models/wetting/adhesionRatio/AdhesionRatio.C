@@ -33,7 +33,7 @@ public:
         }
     }
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
 
     void apply(Liquid& liquid, const Neighbourhood&, const Walls& walls, Buffer<Vec3>& acceleration) override
     {

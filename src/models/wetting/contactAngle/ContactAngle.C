@@ -105,7 +105,10 @@ public:
 
     bool active() const override { return true; }
 
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override
+    {
+        return reach_ > 0 ? Columns{valuesOf(density_), valuesOf(liquid.position)} : Columns{};
+    }
 
     // Normals of solid particles are sums over liquid within the support of those that are within it, or half a spacing farther, as lists and walls without particles have them.
     scalar reach() const override { return reach_; }
@@ -113,7 +116,7 @@ public:
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
         if (walls.particles() + walls.surfaces() == 0) return;
-        if (reach_ > 0) liquid.ghosts().copy({valuesOf(density_), valuesOf(liquid.position)});
+        liquid.ghosts().copyDeclared(GhostsOf::all);
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)

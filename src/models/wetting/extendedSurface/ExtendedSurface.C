@@ -31,7 +31,7 @@ public:
     // It acts through the surface's reconstruction.
     bool accelerates() const override { return false; }
     bool continuesSurface() const override { return true; }
-    bool seesGhosts() const override { return true; }
+    std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
     void apply(Liquid&, const Neighbourhood&, const Walls&, Buffer<Vec3>&) override {}
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // type capillaryRise;  radius 1e-3;  outer 1.7e-3;  dish 3.5e-3;  mouth 1.2e-3;  theta 30;  within 5;
 // Liquid that rises from rest in an upright tube about the z axis, of that inner and outer radius [m], whose mouth is that high [m] above the floor z = 0 of a
-// round dish [m]: the mean level in the tube, by the particles there, over where both levels would be equal, against reference/CapillaryRise.H; rms over
-// the written times, in percent of Jurin's height. Told besides: the largest and the last height, and the difference from a contact line
-// that moves with the angle of Cox and Voinov and slips over a spacing. rise.csv holds the trace.
+// round dish [m], or of a pool that reservoirs keep at a level above it (`level 2.4e-3;` in place of `dish`): the mean level in the tube, by the particles
+// there, over where both levels would be equal, against reference/CapillaryRise.H; rms over the written times, in percent of Jurin's height. Told besides: the
+// largest and the last height, and the difference from a contact line that moves with the angle of Cox and Voinov and slips over a spacing. rise.csv holds the trace.
 
 #include "Comparison.H"
 #include "reference/CapillaryRise.H"
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace shizuku
 {
@@ -22,18 +23,25 @@ public:
     :
         JudgedComparison(dict),
         radius_(dict.lookupPositive("radius", dimensions::length)), outer_(dict.lookupPositive("outer", dimensions::length)),
-        dish_(dict.lookupPositive("dish", dimensions::length)), mouth_(dict.lookupPositive("mouth", dimensions::length)),
+        mouth_(dict.lookupPositive("mouth", dimensions::length)),
         theta_(dict.lookup<double>("theta"))
     {
-        if (!(radius_ < outer_ && outer_ < dish_)) throw FatalInputError(dict.where("outer"), "The tube does not fit into the dish", "radius < outer < dish");
+        (dict.found("level") ? level_ : dish_) = dict.lookupPositive(dict.found("level") ? "level" : "dish", dimensions::length);
+        if (level_ && !(*level_ > mouth_)) throw FatalInputError(dict.where("level"), "The mouth of the tube is not in the pool", "a level above the mouth");
+        if (!(radius_ < outer_ && (level_ || outer_ < *dish_))) throw FatalInputError(dict.where("outer"), "The tube does not fit into the dish", "radius < outer < dish");
     }
 
     std::vector<ComparisonRow> compare(const CaseResults& results) const override
     {
-        const double within = section(radius_), around = section(dish_) - section(outer_);
+        const double within = section(radius_);
         CapillaryRise rise{radius_, theta_, results.rho, results.nu, results.sigma, results.gravity, 0};
-        rise.immersion = (results.liquidVolume() - section(dish_)*mouth_)/(within + around);
-        rise.areaRatio = within/around;
+        rise.immersion = level_.value_or(mouth_) - mouth_;
+        if (dish_)
+        {
+            const double around = section(*dish_) - section(outer_);
+            rise.immersion = (results.liquidVolume() - section(*dish_)*mouth_)/(within + around);
+            rise.areaRatio = within/around;
+        }
 
         std::vector<double> times, measured;
         for (const TimeFolder& time : results.times())
@@ -69,7 +77,8 @@ public:
 private:
     static double section(double radius) { return std::numbers::pi*radius*radius; }
 
-    double radius_, outer_, dish_, mouth_, theta_;
+    double radius_, outer_, mouth_, theta_;
+    std::optional<double> dish_, level_;        // one of them
 };
 
 static const ComparisonTable::Add<CapillaryRiseComparison> registered{"capillaryRise"};

@@ -52,7 +52,7 @@ TEST(TangentialGradient, CompletesWhatTheOutermostLayerMisses)
 {
     const scalar lost = scalar(beyond(0.5));
     const std::vector<std::uint32_t> place{0, 1};           // the particle is near the surface
-    std::vector<Vec3> surface(2), wall(1);
+    std::vector<BoundingPlane> surface(2), wall(1);
     const TangentialGradient gradient{at(place), {surface.data(), 2}, {wall.data(), 1}};
     const Vec3 whole = differencesOf(-2, 2), part = differencesOf(-2, 0);
     EXPECT_LT(part.x, 0.86f * whole.x);
@@ -73,7 +73,7 @@ TEST(TangentialGradient, CompletesWhatTheOutermostLayerMisses)
 TEST(TangentialGradient, AddsNothingDeepInside)
 {
     const std::vector<std::uint32_t> place{0, 0};
-    std::vector<Vec3> surface{{1, 0, 0, 1}}, wall(1);       // as somebody left it
+    std::vector<BoundingPlane> surface{BoundingPlane{{1, 0, 0, 1}}}, wall(1); // as somebody left it
     const TangentialGradient gradient{at(place), {surface.data(), 1}, {wall.data(), 1}};
     gradient.store(0, {}, SurfaceState{}, 0, WallView{}, 2, 0);
     EXPECT_EQ(norm(gradient.more(0, {1, 2, 3})), 0);
