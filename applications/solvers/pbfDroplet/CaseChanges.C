@@ -58,7 +58,7 @@ void refuseOtherSources(const std::vector<EntryChange>& changes, const Dictionar
 {
     for (const EntryChange& change : changes)
     {
-        if (!Sources::mayChange(change.entry)) refuseChange(change, now, "; of sources a run follows flowRate, velocity, rate and speed alone");
+        if (!Sources::mayChange(change.entry)) refuseChange(change, now, "; of sources a run follows flowRate, velocity, rate, speed and level alone");
     }
 }
 

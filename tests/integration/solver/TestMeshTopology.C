@@ -111,6 +111,26 @@ TEST_P(MeshTopology, OfACleanedDrop)
     }
 }
 
+// Put back between cyclic sides it is in two pieces, of which meshSurface makes one again: the same surface, moved by less than the quantum of places.
+TEST_P(MeshTopology, OfADropAcrossACyclicSide)
+{
+    const double side = 14, period = 2*side;
+    std::vector<Vector3> places = halfSphere(300, side - 1.5, 0.15f);
+    const double alone = PMP::volume(meshOf(places));
+    std::size_t beyond = 0;
+    for (Vector3& x : places)
+    {
+        if (x.x < side) continue;
+        x.x -= period;
+        ++beyond;
+    }
+    EXPECT_GT(beyond, 30u);
+    write("constant/boundary", "min (-0.014 -1 -1); max (0.014 1 1); sides { xMin cyclic; xMax cyclic; }");
+    const Mesh mesh = meshOf(places);
+    EXPECT_TRUE(PMP::is_outward_oriented(mesh));
+    EXPECT_NEAR(PMP::volume(mesh)/alone, 1, 1e-5);          // single precision of vertices
+}
+
 // Scattered, torn liquid of one to twenty particles: every case of cells, and still surfaces that bound a volume.
 TEST_P(MeshTopology, OfSpray)
 {

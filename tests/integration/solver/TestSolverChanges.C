@@ -197,7 +197,7 @@ TEST_P(Changes, OfSourcesAreHowFastLiquidComesIn)
     removeResults();
     begin("runTimeModifiable yes;");
     const std::string refused = editedRun([&] { rain("0.2", "0.02"); }, "is left out");
-    EXPECT_TRUE(holds(refused, {"Entry 'shower.corner' was changed", "of sources a run follows flowRate, velocity, rate and speed alone"}));
+    EXPECT_TRUE(holds(refused, {"Entry 'shower.corner' was changed", "of sources a run follows flowRate, velocity, rate, speed and level alone"}));
 }
 
 // An edit that was left out because another file was wrong acts once that one is mended.
