@@ -4,6 +4,7 @@
 // against that of the exact shape. Means of the rows behind `from` of the run's time.
 
 #include "Comparison.H"
+#include "LastRows.H"
 #include "caseFiles/WallPlane.H"
 #include "reference/LiquidBridge.H"
 
@@ -58,20 +59,16 @@ private:
     // Along the plane's normal, N: the mean of the last rows.
     double pullOn(const CsvTable& table, const std::string& wall, const Vector3& normal) const
     {
-        const double last = table.number(table.rows() - 1, "time");
-        double sum = 0;
-        int rows = 0;
-        for (std::size_t row = 0; row < table.rows(); ++row)
+        return meanOfLast(table, from_, [&](std::size_t row)
         {
-            if (table.number(row, "time") < from_*last) continue;
-            ++rows;
+            double pull = 0;
             for (const std::string part : {"pressure", "contactLine", "friction"})
             {
                 const std::string name = wall + "_" + part + "Force";
-                sum += dot(normal, {table.number(row, name + "X"), table.number(row, name + "Y"), table.number(row, name + "Z")});
+                pull += dot(normal, {table.number(row, name + "X"), table.number(row, name + "Y"), table.number(row, name + "Z")});
             }
-        }
-        return sum/rows;
+            return pull;
+        });
     }
 
     std::string lower_, upper_;

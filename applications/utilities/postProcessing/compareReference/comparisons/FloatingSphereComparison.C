@@ -4,6 +4,7 @@
 // `sixDoFRigidBodyState`. Mean of the rows behind `from` of the run's time.
 
 #include "Comparison.H"
+#include "LastRows.H"
 #include "caseFiles/AnalyticSurface.H"
 #include "reference/SphereInBath.H"
 #include "wallMotions/SixDoFBody.H"
@@ -48,16 +49,7 @@ private:
     // Of the sphere's middle, m: the mean of the last rows.
     double height(const CsvTable& table) const
     {
-        const double last = table.number(table.rows() - 1, "time");
-        double sum = 0;
-        int rows = 0;
-        for (std::size_t row = 0; row < table.rows(); ++row)
-        {
-            if (table.number(row, "time") < from_*last) continue;
-            ++rows;
-            sum += table.number(row, "centreZ");
-        }
-        return sum/rows;
+        return meanOfLast(table, from_, [&](std::size_t row) { return table.number(row, "centreZ"); });
     }
 
     SourceLocation where_;
