@@ -12,6 +12,22 @@ namespace shizuku
 namespace
 {
 
+// OpenFOAM's motions of meshes are answered with the entry to write.
+void refuseForeignType(const Dictionary& dict)
+{
+    static const std::map<std::string, std::string> known
+    {
+        {"linearMotion", "`type translation;` with velocity"},
+        {"oscillatingLinearMotion", "`type oscillation;` with amplitude and frequency"},
+        {"rotatingMotion", "`type rotation;` with origin, axis and omega"},
+        {"oscillatingRotatingMotion", "`type angularOscillation;` with origin, axis, amplitude and frequency"},
+        {"tabulated6DoFMotion", "`type table;` with times and displacements"},
+        {"sixDoFRigidBodyMotion", "`type sixDoF;` with mass, momentOfInertia, centreOfMass, and translations and rotations in place of constraints"}
+    };
+    const auto found = known.find(dict.lookup<std::string>("type"));
+    if (found != known.end()) throw FatalInputError(dict.where("type"), found->first + " is OpenFOAM's motion of a mesh", found->second);
+}
+
 void move(std::vector<AnalyticSurface>& surfaces, const WallMotions& motions, double time)
 {
     for (AnalyticSurface& surface : surfaces)
@@ -56,10 +72,7 @@ WallMotions WallMotions::read(const std::filesystem::path& casePath)
         const Dictionary wall = walls.subDict(name);
         if (!wall.found("motion")) continue;
         const Dictionary dict = wall.subDict("motion");
-        if (dict.lookup<std::string>("type") == "sixDoFRigidBodyMotion")
-        {
-            throw FatalInputError(dict.where("type"), "sixDoFRigidBodyMotion is OpenFOAM's motion of a mesh", "`type sixDoF;` with mass, momentOfInertia, centreOfMass, and translations and rotations in place of constraints");
-        }
+        refuseForeignType(dict);
         std::shared_ptr<const WallMotion> motion = WallMotionTable::New("wall-motion", dict.lookup<std::string>("type"), dict.where("type"), dict);
         dict.refuseUnused();
         if (motion->axis() && wall.lookupOr<std::string>("type", "") == "box")

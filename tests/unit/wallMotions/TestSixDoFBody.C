@@ -165,6 +165,7 @@ TEST(SixDoFBody, RefusesWhatCannotBe)
     const std::string two = refusal(sphere(good) + "other { type sphere; centre (1 0 1); radius 0.1; liquid outside; motion { " + good + " } }");
     EXPECT_NE(two.find("'other' is a second body"), std::string::npos) << two;
     EXPECT_NE(refusal(sphere("type sixDoFRigidBodyMotion;")).find("`type sixDoF;`"), std::string::npos);
+    EXPECT_NE(refusal(sphere("type oscillatingLinearMotion;")).find("`type oscillation;`"), std::string::npos);
 }
 
 TEST(SixDoFBody, RefusesWhatIsTooLight)
