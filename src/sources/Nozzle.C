@@ -3,7 +3,7 @@
 //
 // Layers of a square lattice, a spacing apart, move at one speed through a stretch of two supports in front of the mouth (sources/Stream.H). Behind its
 // beginning a layer is born whenever the last one is a spacing ahead, so that liquid in front always has liquid behind it at its own density. The speed is the flow
-// rate over the area of the columns, so that the volume is exact.
+// rate over the area of the columns, so that the volume is exact, as long as no liquid has crept behind the nozzle: no particle is born on another one.
 
 #include "core/messages/Error.H"
 #include "sources/Opening.H"
@@ -53,7 +53,7 @@ public:
 
     void bear(const SourceStep& step, std::vector<Birth>& births) override
     {
-        constexpr double apart = 0.8;           // spacings, from liquid that is there before the nozzle is
+        constexpr double apart = 0.8, free = 0.5;           // spacings, from liquid that is there before the nozzle is, and from what has come back behind it
         constexpr double rounding = 1e-9;
         const double v = speed(step.middle()), d = opening_.spacing;
         advance_ += v*step.length();
@@ -63,7 +63,7 @@ public:
             for (const Vector3& column : opening_.columns)
             {
                 const Vector3 place = at(column, depth);
-                if (layers_ <= 0 && step.isOccupied(place, apart*d)) continue;
+                if (step.isOccupied(place, (layers_ <= 0 ? apart : free)*d)) continue;
                 births.push_back({place, v*opening_.direction});
             }
         }

@@ -90,6 +90,20 @@ TEST(Population, WhatIsInANozzleIsALatticeThatMovesRigidly)
     EXPECT_NEAR(least, 1e-3, 1e-6);
 }
 
+// The layer of the block at 5 mm stands 0.4 spacings behind the places where layers are born.
+TEST(Population, ANozzleBearsNothingOnLiquidBehindIt)
+{
+    SourceScene scene("tap { type nozzle; mouth (0.5e-3 0.5e-3 0.6e-3); direction (0 0 -1); radius 2.2e-3; flowRate 1e-6; }", "", true);
+    for (int k = 0; k < 50; ++k) scene.step(1e-3);
+    const auto x = scene.liquid.positions();
+    double least = 1;
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+        for (std::size_t j = 0; j < i; ++j) if (x[i].z > 3.9e-3 && x[j].z > 3.9e-3) least = std::min(least, length(x[i] - x[j]));
+    }
+    EXPECT_GE(least, 0.5e-3);
+}
+
 // Also where sums of products are rounded once: the square of a place on the axis less that of its depth is then as often below zero as above.
 TEST(Population, AStreamWithoutAHoleHasItsAxis)
 {
