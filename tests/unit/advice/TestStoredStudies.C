@@ -70,7 +70,7 @@ TEST_F(StoredStudiesTest, WhatWasNotRunIsNotKnown)
     EXPECT_FALSE(studies_->error("sessile", 60, "unheardOf", 1000, 0.7));
     EXPECT_FALSE(studies_->error("sessile", 60, "default", 1000, 10));
     EXPECT_FALSE(studies_->calmSteps("other"));
-    EXPECT_DOUBLE_EQ(studies_->calmSteps("default")->value, 2.8);
+    EXPECT_DOUBLE_EQ(studies_->calmSteps("default")->value, 3);
 }
 
 TEST_F(StoredStudiesTest, ModelSetsAreFoundByTheirModels)
