@@ -7,15 +7,23 @@ namespace shizuku
 namespace
 {
 
-struct Both
+struct Sums
 {
-    SpeedSquares before, behind;
+    SpeedSquares before, behind, dissipated;
 
-    void add(const Both& other)
+    void add(const Sums& other)
     {
         before.add(other.before);
         behind.add(other.behind);
+        dissipated.add(other.dissipated);
     }
+};
+
+struct ValueOf
+{
+    Span<const scalar> taken;
+
+    HOST_DEVICE SpeedSquares operator()(int i) const { return {wideQuanta(taken[i]), 1}; }
 };
 
 }
@@ -25,19 +33,23 @@ void ViscousWork::before(const Liquid& liquid)
     before_.add(liquid.owned(), SpeedSquareOf{liquid.velocity.span()});
 }
 
-void ViscousWork::behind(const Liquid& liquid)
+void ViscousWork::behind(const Liquid& liquid, const std::optional<Buffer<scalar>>& dissipation)
 {
     behind_.add(liquid.owned(), SpeedSquareOf{liquid.velocity.span()});
+    isToldApart_ = dissipation.has_value();
+    if (isToldApart_) dissipated_.add(liquid.owned(), ValueOf{dissipation->span()});
 }
 
 void ViscousWork::addTo(Liquid& liquid)
 {
     before_.ask();
     behind_.ask();
-    const Both both = liquid.parts().fold(Both{before_.take(), behind_.take()});
-    const double unit = liquid.units().of(dimensions::velocity);
-    const double taken = valueOf(both.before.sum) - valueOf(both.behind.sum);
-    liquid.number(number, 0) += 0.5 * liquid.properties().particleMass() * unit * unit * taken;
+    dissipated_.ask();
+    const Sums sums = liquid.parts().fold(Sums{before_.take(), behind_.take(), dissipated_.take()});
+    const double unit = liquid.units().of(dimensions::velocity), joules = 0.5 * liquid.properties().particleMass() * unit * unit;
+    const double taken = valueOf(sums.before.sum) - valueOf(sums.behind.sum), ofLiquid = isToldApart_ ? valueOf(sums.dissipated.sum) : taken;
+    liquid.number(number, 0) += joules * ofLiquid;
+    liquid.number(ofFilter, 0) += joules * (taken - ofLiquid);
 }
 
 }

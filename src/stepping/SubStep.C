@@ -120,7 +120,7 @@ void SubStep::update(scalar dt)
     applyOnce(*models_.velocityCorrection, liquid_, near_, walls_, dt);
     if (work_) work_->before(liquid_);
     applyOnce(*models_.viscosity, liquid_, near_, walls_, dt);
-    if (work_) work_->behind(liquid_);
+    if (work_) work_->behind(liquid_, models_.viscosity->dissipation(liquid_, near_, walls_, dt));
     applyOnce(*models_.particleShifting, liquid_, near_, walls_);
     if (reactions_) reactions_->end(liquid_, walls_, models_, dt);
     if (models_.heldLine) models_.heldLine->advance(liquid_, near_, walls_, *models_.freeSurface, dt);

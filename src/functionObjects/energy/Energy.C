@@ -7,9 +7,9 @@
 // sigma (A - sum_walls A_wall cos theta), A the free area of the surface mesh and A_wall the wetted one (WettedSurface.H);
 // 0 without a model of tension, and not a number where liquid touches walls that have no contact angle in the chosen
 // models; wetting: the walls' part of it, -sigma sum_walls A_wall cos theta. total: their sum.
-// viscosity: what the model of viscosity has taken since the first step, its filter of noise included (motion/ViscousWork.H); not a number of stored times
-// of a run without this function object. numerics: by how much total and viscosity have grown since the first measurement. That is what the numerics have made, below 0
-// taken, and what sources, outlets and walls that move have brought.
+// viscosity: what the liquid's viscosity and the friction of walls have taken since the first step; filter: what the model of viscosity has taken besides, as
+// noise (motion/ViscousWork.H). Not numbers of stored times of a run without this function object. numerics: by how much total and viscosity have grown since the first measurement.
+// That is what the numerics, of which the filter is a part, have made, below 0 taken, and what sources, outlets and walls that move have brought.
 // Where numerics is above mostMade times the first sigma A the log says so.
 
 #include "core/angles/Degrees.H"
@@ -39,7 +39,7 @@ public:
             setting.folder / "energy.csv",
             {
                 {"time", "s"}, {"kinetic", "J"}, {"gravitational", "J"}, {"surface", "J"}, {"wetting", "J"}, {"total", "J"},
-                {"viscosity", "J"}, {"numerics", "J"}
+                {"viscosity", "J"}, {"numerics", "J"}, {"filter", "J"}
             }
         )
     {
@@ -59,13 +59,12 @@ public:
         const Areas areas = flow.models.forces.active() ? areasOf(flow) : Areas();
         if (flow.parts().part() > 0) return;
         const double surface = sigma * (areas.free - areas.wetted), total = state.kineticEnergy + potential + surface;
-        const auto work = flow.numbers().find(ViscousWork::number);
-        const double taken = work == flow.numbers().end() ? std::numeric_limits<double>::quiet_NaN() : work->second;
+        const double taken = numberOf(flow, ViscousWork::number);
         if (!first_) first_ = {total + taken, sigma * areas.free};
         made_ = total + taken - first_->energy;
         table_.addRow
         ({
-            flow.time.value(), state.kineticEnergy, potential, surface, 0 - sigma * areas.wetted, total, taken, made_
+            flow.time.value(), state.kineticEnergy, potential, surface, 0 - sigma * areas.wetted, total, taken, made_, numberOf(flow, ViscousWork::ofFilter)
         });
     }
 
@@ -92,6 +91,12 @@ public:
     const CsvFile* table() const override { return &table_; }
 
 private:
+    static double numberOf(const FlowView& flow, const char* name)
+    {
+        const auto found = flow.numbers().find(name);
+        return found == flow.numbers().end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+    }
+
     // m2; of a wetted wall times cos theta.
     struct Areas
     {

@@ -186,7 +186,7 @@ TEST(Energy, OfTheSurfaceIsUnknownWhereTheModelsHaveNoContactAngle)
     FlowCase flow("energies { type energy; }", onAPlane, "surfaceTension Akinci2013;");
     flow.step(halfBall());
     EXPECT_TRUE(std::isnan(flow.value("energies/0/energy.csv", "surface")));
-    EXPECT_TRUE(holds(flow.table("energies/0/energy.csv"), {"\n0.25,0,0,nan,nan,nan,nan,nan\n"}));       // no weight: 0, not -0
+    EXPECT_TRUE(holds(flow.table("energies/0/energy.csv"), {"\n0.25,0,0,nan,nan,nan,nan,nan,nan\n"}));       // no weight: 0, not -0
     flow.step(halfBall({0, 0, 5}));             // off the wall: sigma times all of the mesh, in nine digits
     const double surface = 0.072*flow.view().surface().area();
     EXPECT_NEAR(flow.value("energies/0/energy.csv", "surface"), surface, 1e-8*surface);

@@ -128,16 +128,26 @@ TEST(ViscousWork, IsWhatVelocitiesLose)
         set(4, 3);
         work.before(drop.liquid);
         set(2, 3);
-        work.behind(drop.liquid);
+        work.behind(drop.liquid, std::nullopt);
     }
     work.addTo(drop.liquid);
     EXPECT_NEAR(drop.liquid.number(ViscousWork::number, 0), 12e-6, 1e-11);      // 2 times 1e-6 (16 - 4)/2; velocities have single precision
     set(1, 0);
     work.before(drop.liquid);
     set(0, 0);
-    work.behind(drop.liquid);
+    work.behind(drop.liquid, std::nullopt);
     work.addTo(drop.liquid);
     EXPECT_NEAR(drop.liquid.number(ViscousWork::number, 0), 12.5e-6, 1e-11);
+    EXPECT_EQ(drop.liquid.number(ViscousWork::ofFilter, 0), 0);
+    // A model that tells of 3/4 of u^2 = 1 that viscosity took it: the rest is the filter's.
+    set(1, 0);
+    work.before(drop.liquid);
+    set(0, 0);
+    const double unit = drop.liquid.units().of(dimensions::velocity);
+    work.behind(drop.liquid, Buffer<scalar>(std::vector<scalar>{scalar(0.75/(unit*unit)), 0}));
+    work.addTo(drop.liquid);
+    EXPECT_NEAR(drop.liquid.number(ViscousWork::number, 0), 12.875e-6, 1e-11);
+    EXPECT_NEAR(drop.liquid.number(ViscousWork::ofFilter, 0), 0.125e-6, 1e-11);
 }
 
 // Places within half of a word, which is the box over 65535; 0.51 leaves room for the quanta of places. Half a word of the speed, too.

@@ -84,6 +84,14 @@ public:
         liquid.velocity.swap(smoothed);
     }
 
+    // nu does not enter: all of it is a filter.
+    std::optional<Buffer<scalar>> dissipation(Liquid& liquid, const Neighbourhood&, const Walls&, scalar) const override
+    {
+        Buffer<scalar> none(liquid.owned());
+        none.setZero();
+        return none;
+    }
+
 private:
     bool noSlip_;
     SmoothingControls controls_;

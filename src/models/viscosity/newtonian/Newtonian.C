@@ -35,6 +35,7 @@
 #include "maths/Simpson.H"
 #include "models/smoothing/SmoothingControls.H"
 #include "models/viscosity/Viscosity.H"
+#include "models/viscosity/newtonian/Dissipation.H"
 #include "models/viscosity/newtonian/ExplicitStep.H"
 #include "models/viscosity/newtonian/GoByVelocity.H"
 #include "models/viscosity/newtonian/ImplicitStep.H"
@@ -106,6 +107,20 @@ public:
                     half.dt = dt / 2;
                     for (int n = 0; n < 2; ++n) stepExplicitly(half, stress, {nu_, nu_}, 0, friction_.acts(walls), friction_);
                 });
+            },
+            liquid.kernel()
+        );
+    }
+
+    // What is not of nu is noise.
+    std::optional<Buffer<scalar>> dissipation(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) const override
+    {
+        if (liquid.isEmpty() || noise_.share(dt) == 0) return std::nullopt;
+        return std::visit
+        (
+            [&]<class Kernel>(const Kernel& W)
+            {
+                return shizuku::dissipation(ViscousStep<Kernel>{W, liquid, std::as_const(liquid.position).span(), near.view(), walls, dt}, nu_, friction_);
             },
             liquid.kernel()
         );

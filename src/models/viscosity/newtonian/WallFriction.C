@@ -46,4 +46,11 @@ WallFriction::WallFriction(const Dictionary& coeffs, Liquid& liquid, scalar nu)
     if (!(slip_ >= 0)) throw FatalInputError(coeffs.where("slipLength"), "Coefficient slipLength is out of range", "a length of 0 m or more");
 }
 
+Buffer<scalar> WallFriction::layers() const
+{
+    Buffer<scalar> copy(missing_ ? missing_->size() : 0);
+    if (copy.size() > 0) device::copyOnDevice(copy.span().data, std::as_const(*missing_).span().data, copy.size() * sizeof(scalar));
+    return copy;
+}
+
 }

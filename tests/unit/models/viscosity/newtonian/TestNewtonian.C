@@ -388,3 +388,43 @@ TEST(NoiseOfNewtonian, RefusesCoefficientsOutOfRange)
     const Dictionary models = Dictionary::parse("viscosity newtonian; newtonianCoeffs { perCapillaryStep 0.5; }", "constant/models");
     EXPECT_TRUE(holds(messageOf([&] { Viscosity::New(models, slack.liquid); }), {"surface tension", "perCapillaryStep 0"}));
 }
+
+// In a shear flow u = S z the stress takes nu S^2 dt of a particle's mass, 2 nu S^2 dt of its u^2; no noise is in it. So deep inside; where neighbours lie nearly in a plane at
+// the surface the model leaves stress out (f of PairStress.H), at most half of it in this ball. The model tells it where it takes noise besides, and changes nothing by telling.
+TEST(Newtonian, TellsWhatOfItIsNotNoise)
+{
+    LiquidCase drop(liquidOf("1e-4"));
+    const auto points = disorderedBall(5);
+    constexpr scalar shear = 0.1f, dt = 0.01f;
+    std::vector<Vec3> flow;
+    for (const Vec3& p : points) flow.push_back({shear * p.z, 0, 0});
+    drop.place(points, flow);
+    const auto model = Viscosity::New(Dictionary::parse("viscosity newtonian;"), drop.liquid);
+    const auto told = model->dissipation(drop.liquid, drop.near, drop.walls, dt);
+    ASSERT_TRUE(told);
+    const scalar rate = shear / drop.liquid.spacing(), expected = 2 * scaledNu(drop) * rate * rate * dt;
+    Buffer<Vec3> values(int(points.size()));
+    values.upload([&]
+    {
+        std::vector<Vec3> each;
+        for (const scalar taken : told->download()) each.push_back({taken, 0, 0});
+        return each;
+    }());
+    const auto taken = drop.inOrder(values);
+    int deep = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        ASSERT_LT(taken[i].x, 1.001f * expected);           // single precision, of sums of some 30 neighbours
+        ASSERT_GT(taken[i].x, 0.5f * expected);
+        if (norm(points[i]) > 2.5f) continue;               // half of the ball's radius: a support away from the surface
+        ASSERT_NEAR(taken[i].x, expected, 1e-3f * expected);
+        ++deep;
+    }
+    EXPECT_GT(deep, 20);
+    const auto velocities = drop.inOrder(drop.liquid.velocity);
+    for (std::size_t i = 0; i < points.size(); ++i) ASSERT_EQ(norm(velocities[i] - flow[i]), 0);
+
+    // Without noise all that it takes is of viscosity.
+    const auto alone = Viscosity::New(Dictionary::parse("viscosity newtonian; newtonianCoeffs { " + stressAlone + " }"), drop.liquid);
+    EXPECT_FALSE(alone->dissipation(drop.liquid, drop.near, drop.walls, dt));
+}
