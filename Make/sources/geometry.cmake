@@ -104,6 +104,7 @@ set(SHIZUKU_GEOMETRY_SOURCES
     meshes/Creases.C
     wallMotions/SixDoFBody.C
     wallMotions/SixDoFMotion.C
+    wallMotions/BodyStops.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.

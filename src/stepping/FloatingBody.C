@@ -4,7 +4,6 @@
 #include "models/reactions/WallReactions.H"
 #include "wallMotions/SixDoFBody.H"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -27,20 +26,25 @@ BodyImpulses impulsesOn(const std::string& wall, Liquid& liquid)
     return impulses;
 }
 
-AnalyticSurface surfaceAt(const AnalyticSurface& given, const Walls& walls, double time)
-{
-    const int motion = walls.motions().indexOf(given.name);
-    return motion < 0 ? given : moved(given, walls.motions().walls()[motion].motion->at(time));
-}
-
 }
 
 FloatingBody::FloatingBody(const std::filesystem::path& casePath, const Liquid& liquid, const Walls& walls, const Models& models)
 :
-    surfaces_(readAnalyticSurfaces(Dictionary::read(casePath / "constant/walls"))), wall_(walls.freeBody()->wall()), g_(models.bodyForce->uniform()), density_(liquid.properties().density), spacing_(liquid.properties().spacing)
+    FloatingBody(Dictionary::read(casePath / "constant/walls"), liquid, walls, models)
+{}
+
+FloatingBody::FloatingBody(const Dictionary& wallsDict, const Liquid& liquid, const Walls& walls, const Models& models)
+:
+    wall_(walls.freeBody()->wall()), stops_(readAnalyticSurfaces(wallsDict), wall_, liquid.properties().spacing), density_(liquid.properties().density)
 {
-    own_ = std::size_t(std::find_if(surfaces_.begin(), surfaces_.end(), [&](const AnalyticSurface& surface) { return surface.name == wall_; }) - surfaces_.begin());
-    const SourceLocation where = Dictionary::read(casePath / "constant/walls").where(wall_);
+    const SourceLocation where = wallsDict.where(wall_);
+    refuseModels(liquid, models);
+    if (walls.particles() > 0) throw FatalInputError(where, "The liquid moves a body, and another wall is sampled", "walls of type plane, sphere, cylinder and box");
+    if (liquid.ghosts().images()) throw FatalInputError(where, "The liquid moves a body, and the case has sides that repeat or mirror the liquid", "open sides and walls");
+}
+
+void FloatingBody::refuseModels(const Liquid& liquid, const Models& models)
+{
     if (!models.pressure->keepPressure())
     {
         throw FatalInputError(models.dict.where("pressure"), "The liquid moves a body, and the pressure model has no field of the pressure", "one that has, such as completedPbf");
@@ -49,44 +53,29 @@ FloatingBody::FloatingBody(const std::filesystem::path& casePath, const Liquid& 
     {
         throw FatalInputError(models.dict.where("surfaceTension"), "The liquid moves a body, and the tension model does not know the free surface, along which it pulls", "laplacePressure, continuumSurfaceForce or none");
     }
-    if (walls.particles() > 0) throw FatalInputError(where, "The liquid moves a body, and another wall is sampled", "walls of type plane, sphere, cylinder and box");
-    if (liquid.ghosts().images()) throw FatalInputError(where, "The liquid moves a body, and the case has sides that repeat or mirror the liquid", "open sides and walls");
 }
 
 void FloatingBody::begin(Liquid& liquid) { last_ = impulsesOn(wall_, liquid); }
 
-void FloatingBody::follow(Liquid& liquid, const Walls& walls, double to, double dt)
+void FloatingBody::follow(Liquid& liquid, const Walls& walls, const Models& models, double to, double dt)
 {
     SixDoFBody& body = *walls.freeBody();
     const BodyImpulses now = impulsesOn(wall_, liquid);
     const Vector3 normal = (now.normal - last_.normal) / dt;
-    const Vector3 middle = surfaceAt(surfaces_[own_], walls, to).point;
+    const Vector3 middle = stops_.middle(walls.motions(), to);
     const BodyLoad load{normal + (now.friction - last_.friction) / dt, cross(middle, normal) + (now.frictionMoment - last_.frictionMoment) / dt};
     last_ = now;
     // Of a sphere deep in the liquid it is half of what it displaces (Lamb 1932, article 92).
     const double added = 0.5 * liquid.number(WallReactions::wetted(wall_), 0) * density_ * body.volume();
-    body.advance(to, dt, load, g_, added);
+    body.advance(to, dt, load, Vector3(models.bodyForce->uniform()), added);
     if (!std::isfinite(body.speed()))
     {
         std::ostringstream text;
         text << "The body '" << wall_ << "' that the liquid moves has a velocity at " << to << " s that is no number: shorter steps may help (maxCo in system/controlDict)";
         throw FatalError(text.str());
     }
-    stopAtWalls(walls, to, dt);
+    stops_.stop(walls.motions(), to, dt);
     SixDoFState::forEach(body.state(), wall_, [&](const std::string& name, double number) { liquid.setNumber(name, number); });
-}
-
-void FloatingBody::stopAtWalls(const Walls& walls, double to, double dt) const
-{
-    SixDoFBody& body = *walls.freeBody();
-    const Vector3 middle = surfaceAt(surfaces_[own_], walls, to).point;
-    for (const AnalyticSurface& given : surfaces_)
-    {
-        if (given.name == wall_) continue;
-        const AnalyticSurface surface = surfaceAt(given, walls, to);
-        const double gap = surface.signedDistance(middle) - body.radius() - spacing_;
-        body.stopAt(surface.normal(middle), std::max(gap, 0.0) / dt, dt);
-    }
 }
 
 }

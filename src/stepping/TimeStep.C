@@ -97,7 +97,7 @@ void TimeStep::make(const SubSteps& steps, double from)
         if (setup_.body)
         {
             reactions_->addTo(*setup_.liquid);
-            setup_.body->follow(*setup_.liquid, *setup_.walls, from + step * steps.dt, steps.dt);
+            setup_.body->follow(*setup_.liquid, *setup_.walls, *setup_.models, from + step * steps.dt, steps.dt);
         }
         if (step < steps.count) meter_.watch(*setup_.liquid);
     }

@@ -4,6 +4,7 @@
 #include "core/time/Time.H"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <sstream>
 #include <vector>
@@ -47,7 +48,7 @@ Pose withoutRounding(Pose pose)
 
 SixDoFBody::SixDoFBody(const Dictionary& dict, double start, double stop)
 :
-    whereMass_(dict.where("mass")), start_(start), stop_(stop), mass_(dict.lookupPositive("mass", dimensions::mass)),
+    where_(dict.where()), whereMass_(dict.where("mass")), start_(start), stop_(stop), mass_(dict.lookupPositive("mass", dimensions::mass)),
     inertia_(dict.lookupPositive("momentOfInertia", ofInertia)), centreOfMass_(dict.lookupDimensionedVector("centreOfMass", dimensions::length)),
     translations_(freeAxes(dict.lookupOr("translations", axes), dict.where("translations"))), rotations_(freeAxes(dict.lookupOr("rotations", axes), dict.where("rotations")))
 {
@@ -70,6 +71,26 @@ void SixDoFBody::refuseLight(double density) const
     found << "The body '" << wall_ << "' has a density of " << own << " kg/m3, the liquid one of " << density << ": a body so light answers to the noise of the pressure";
     expected << "a mass of " << least*density*volume() << " kg or more, " << least << " times that of the liquid in its place";
     throw FatalInputError(whereMass_, found.str(), expected.str());
+}
+
+void SixDoFBody::refuseOtherStart(const SixDoFBody& before) const
+{
+    const auto refuse = [&](const std::string& entry)
+    {
+        throw FatalInputError(where_, "The body '" + wall_ + "' moves, and its " + entry + " was changed, which is that of its start", "the former " + entry + ", or a new run");
+    };
+    if (velocity_ != before.velocity_) refuse("velocity");
+    if (omega_ != before.omega_) refuse("omega");
+    if (centreOfMass_ != before.centreOfMass_) refuse("centreOfMass");
+}
+
+void SixDoFBody::goOn(const SixDoFState& state)
+{
+    state_ = state;
+    state_->velocity = masked(state.velocity, translations_);
+    state_->acceleration = masked(state.acceleration, translations_);
+    state_->omega = masked(state.omega, rotations_);
+    state_->omegaRate = masked(state.omegaRate, rotations_);
 }
 
 Vector3 SixDoFBody::centre() const { return state_ ? state_->pose(centreOfMass_) : centreOfMass_; }
@@ -133,12 +154,14 @@ void SixDoFBody::advance(double to, double dt, const BodyLoad& load, const Vecto
     s.omega += dt*s.omegaRate;
 }
 
-void SixDoFBody::stopAt(const Vector3& normal, double most, double dt)
+bool SixDoFBody::stopAt(const Vector3& at, const Vector3& normal, double most, double dt)
 {
-    const double excess = -dot(state_->velocity, normal) - most;
-    if (!(excess > 0)) return;
+    constexpr double rounding = 1e-12;
+    const double approach = -dot(state_->velocity + cross(state_->omega, at - centre()), normal), excess = approach - most;
+    if (!(excess > rounding*(std::abs(approach) + std::abs(most)))) return false;
     state_->velocity += excess*normal;
     state_->acceleration += excess/dt*normal;
+    return true;
 }
 
 }

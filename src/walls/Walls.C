@@ -154,20 +154,24 @@ void Walls::refuseMotions(const Liquid& liquid, const WallMotions& motions, doub
         const Dictionary walls = Dictionary::read(case_ / "constant/walls");
         throw FatalInputError(walls.where(walls.found(wall) ? wall : ""), "The motion of the wall '" + wall + "' was changed: " + what, "a motion that goes on from where the wall is, or a new run");
     };
-    for (const MovingWall& wall : former.walls()) if (motions.indexOf(wall.name) < 0) refuse(wall.name, "it has none any more, which stop does");
+    for (const MovingWall& wall : former.walls())
+    {
+        if (motions.indexOf(wall.name) < 0) refuse(wall.name, std::string("it has none any more, which ") + (wall.motion->body() ? "`translations (); rotations ();` does" : "stop does"));
+    }
     for (const MovingWall& wall : motions.walls())
     {
         const int before = former.indexOf(wall.name);
         if (before < 0) refuse(wall.name, "it had none when the run began");
         const WallMotion& was = *former.walls()[before].motion;
-        if (!was.body() != !wall.motion->body()) refuse(wall.name, was.body() ? "the liquid moves it no more" : "the liquid moves it now");
-        const auto axis = was.axis(), axisNow = wall.motion->axis();
-        if (axis.has_value() != axisNow.has_value()) refuse(wall.name, axis ? "it turns no more" : "it turns now");
-        if (const SixDoFBody* body = wall.motion->body())       // goes on from where it is
+        if (!was.body() != !wall.motion->body()) refuse(wall.name, was.body() ? "the liquid moves it no more, and `translations (); rotations ();` is what holds it" : "the liquid moves it now");
+        if (const SixDoFBody* body = wall.motion->body())
         {
             body->refuseLight(liquid.properties().density);
+            body->refuseOtherStart(*was.body());
             continue;
         }
+        const auto axis = was.axis(), axisNow = wall.motion->axis();
+        if (axis.has_value() != axisNow.has_value()) refuse(wall.name, axis ? "it turns no more" : "it turns now");
         const Pose change = wall.motion->at(time).since(was.at(time));
         const Vector3 middle = axis ? axis->origin : Vector3();
         double jump = length(change(middle) - middle);

@@ -107,6 +107,7 @@ public:
         models.emplace(time.casePath(), solution, liquid, *setup.walls);
         solution.refuseUnused();
         if (liquid.ghosts().mayBe()) models->refuseGhostBlind(liquid, "The liquid goes on in other parts, or across sides, which it cannot");
+        if (setup.body) FloatingBody::refuseModels(liquid, *models);
         if (anew.walls)
         {
             motions = WallMotions::read(time.casePath());

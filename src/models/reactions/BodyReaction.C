@@ -11,20 +11,38 @@ namespace
 
 struct BodyWeight
 {
-    WallSurface surface;
+    WallSurfacesView surfaces;
+    int own;
     scalar width;                               // scaled
 
     struct Value
     {
         scalar value;
         Vec3 gradient;
+        scalar alone;                           // the value without other walls
     };
+
+    HOST_DEVICE static scalar falling(scalar t) { return 1 - t * t * (3 - 2 * t); }
 
     HOST_DEVICE Value operator()(Place at) const
     {
-        const WallSurface::Nearest nearest = surface(at);
-        const scalar t = fmin(fmax(nearest.distance / width, 0), 1);
-        return {1 - t * t * (3 - 2 * t), -6 * t * (1 - t) / width * nearest.normal};
+        const WallSurface::Nearest nearest = surfaces[own](at);
+        const scalar d = fmax(nearest.distance, 0);
+        const scalar alone = falling(fmin(d / width, 1));
+        if (d >= width) return {0, {}, alone};
+        WallSurface::Nearest other{width, {}};
+        for (int a = 0; a < surfaces.count; ++a)
+        {
+            if (a == own) continue;
+            const WallSurface::Nearest wall = surfaces[a](at);
+            if (wall.distance < other.distance) other = wall;
+        }
+        const scalar e = fmax(other.distance, 0);
+        const bool isGap = d + e < width;
+        const scalar reach = isGap ? fmax(d + e, 1e-6f * width) : width;
+        const scalar t = d / reach;
+        const Vec3 slope = isGap ? (1 - t) * nearest.normal - t * other.normal : nearest.normal;
+        return {falling(t), -6 * t * (1 - t) / reach * slope, alone};
     }
 };
 
@@ -32,24 +50,29 @@ struct NoteWeight
 {
     BodyWeight weight;
     Span<const Position> position;
-    Span<scalar> to;
+    Span<scalar> to, alone;
 
-    HOST_DEVICE void operator()(int i) const { to[i] = weight(placeOf(position[i])).value; }
+    HOST_DEVICE void operator()(int i) const
+    {
+        const BodyWeight::Value w = weight(placeOf(position[i]));
+        to[i] = w.value;
+        alone[i] = w.alone;
+    }
 };
 
 struct WeightedMomentumOf
 {
-    Span<const scalar> weight;
+    Span<const scalar> weight, alone;
     Span<const Position> position;
     Span<const Vec3> velocity;
     double more[3];                             // dt g
 
     HOST_DEVICE Reaction operator()(int i) const
     {
+        if (alone[i] == 0) return {};
         const double w = weight[i];
-        if (w == 0) return {};
         const Vec3 u = velocity[i];
-        return reactionOf(placeOf(position[i]), w * (u.x + more[0]), w * (u.y + more[1]), w * (u.z + more[2]), scalar(w));
+        return reactionOf(placeOf(position[i]), w * (u.x + more[0]), w * (u.y + more[1]), w * (u.z + more[2]), alone[i]);
     }
 };
 
@@ -80,9 +103,9 @@ struct StressOf
     }
 };
 
-BodyWeight weightOf(const Liquid& liquid, const WallSurface& surface)
+BodyWeight weightOf(const Liquid& liquid, const Walls& walls, int own)
 {
-    return {surface, BodyReaction::width * liquid.spacing()};
+    return {walls.view(liquid).surfaces, own, BodyReaction::width * liquid.spacing()};
 }
 
 }
@@ -91,13 +114,14 @@ void BodyReaction::begin(const Liquid& liquid, const Walls& walls, const std::ar
 {
     radius_ = walls.view(liquid).surfaces[surface_].radius;
     weight_.resizeDiscarding(liquid.owned());
-    forEach(liquid.owned(), NoteWeight{weightOf(liquid, walls.view(liquid).surfaces[surface_]), liquid.position.span(), weight_.span()});
-    before_.add(liquid.owned(), WeightedMomentumOf{std::as_const(weight_).span(), liquid.position.span(), liquid.velocity.span(), {g[0], g[1], g[2]}});
+    alone_.resizeDiscarding(liquid.owned());
+    forEach(liquid.owned(), NoteWeight{weightOf(liquid, walls, surface_), liquid.position.span(), weight_.span(), alone_.span()});
+    before_.add(liquid.owned(), WeightedMomentumOf{std::as_const(weight_).span(), std::as_const(alone_).span(), liquid.position.span(), liquid.velocity.span(), {g[0], g[1], g[2]}});
 }
 
 void BodyReaction::pressed(const Liquid& liquid)
 {
-    pressed_.add(liquid.owned(), WeightedMomentumOf{std::as_const(weight_).span(), liquid.position.span(), liquid.velocity.span(), {}});
+    pressed_.add(liquid.owned(), WeightedMomentumOf{std::as_const(weight_).span(), std::as_const(alone_).span(), liquid.position.span(), liquid.velocity.span(), {}});
 }
 
 void BodyReaction::end(const Liquid& liquid, const Walls& walls, const FreeSurface& surface, Span<const scalar> pressure, scalar dt)
@@ -106,7 +130,7 @@ void BodyReaction::end(const Liquid& liquid, const Walls& walls, const FreeSurfa
     const scalar sigma = liquid.units().toScaled(liquid.properties().surfaceTension, dimensions::surfaceTension);
     stress_.add(liquid.owned(), StressOf
     {
-        .weight = weightOf(liquid, walls.view(liquid).surfaces[surface_]), .perPressure = perDensity, .tension = 2 * perDensity * sigma, .position = liquid.position.span(),
+        .weight = weightOf(liquid, walls, surface_), .perPressure = perDensity, .tension = 2 * perDensity * sigma, .position = liquid.position.span(),
         .pressure = pressure, .surface = surface.view(), .hasSurface = surface.active()
     });
 }

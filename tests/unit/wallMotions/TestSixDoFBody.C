@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wallMotions/SixDoFBody.H"
 #include "support/ScratchFolder.H"
+#include "wallMotions/BodyStops.H"
 #include "wallMotions/WallMotions.H"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <sstream>
 
@@ -36,7 +38,7 @@ struct Floating
     WallMotions motions;
     SixDoFBody& body;
 
-    explicit Floating(const std::string& motion) : motions(read(folder, sphere(motion))), body(*motions.body()) { body.begin(0); }
+    explicit Floating(const std::string& motion, const std::string& others = "") : motions(read(folder, others + sphere(motion))), body(*motions.body()) { body.begin(0); }
 
     static WallMotions read(const ScratchFolder& folder, const std::string& walls)
     {
@@ -58,7 +60,7 @@ TEST(SixDoFBody, FallsAsAllDo)
 {
     Floating ball(sixDoF(2*density*volume));
     constexpr double dt = 1e-3;
-    for (int step = 1; step <= 40; ++step) ball.body.advance(step*dt, dt, {}, {0, 0, -9.81}, added);
+    for (int step = 1; step <= 40; ++step) ball.body.advance(step*dt, dt, {}, {0, 0, -9.81}, 0);
     EXPECT_NEAR(ball.body.state().acceleration.z, -9.81, 1e-14*9.81);
     const double place = ball.body.centre().z, velocity = ball.body.state().velocity.z;
     ball.body.advance(41*dt, dt, {}, {0, 0, -9.81}, added);
@@ -122,14 +124,71 @@ TEST(SixDoFBody, IsHeldBeforeAndAfter)
     EXPECT_DOUBLE_EQ(ball.body.centre().z, 2);
 }
 
-// A wall takes what goes on against it, and nothing of what goes away.
+// A wall takes what goes on against it, and nothing of what goes away. Of a body that turns about another point than its middle it takes what the middle does.
 TEST(SixDoFBody, IsStoppedAtAWall)
 {
-    Floating ball(sixDoF(density*volume, "velocity (1 0 -2);"));
-    ball.body.stopAt({0, 0, 1}, 0.5, 0.1);
+    Floating ball(sixDoF(density*volume, "velocity (1 0 -2); omega (0 3 0);"));
+    const Vector3 middle(0, 0, 1);
+    EXPECT_TRUE(ball.body.stopAt(middle, {0, 0, 1}, 0.5, 0.1));
     EXPECT_EQ(ball.body.state().velocity, Vector3(1, 0, -0.5));
-    ball.body.stopAt({0, 0, -1}, 0, 0.1);
+    EXPECT_FALSE(ball.body.stopAt(middle, {0, 0, -1}, 0, 0.1));
+    EXPECT_FALSE(ball.body.stopAt(middle, {0, 0, 1}, 0.5, 0.1));
     EXPECT_EQ(ball.body.state().velocity, Vector3(1, 0, -0.5));
+    EXPECT_TRUE(ball.body.stopAt(middle + Vector3(1, 0, 0), {0, 0, 1}, 0.5, 0.1));        // goes down by 3 m/s more there
+    EXPECT_NEAR(ball.body.state().velocity.z, 2.5, 1e-12);
+}
+
+// It falls for a second, by 9.8 m/s where nothing stops it. Each scene leaves it a way of 0.1 m, to a gap of 0.02 m.
+TEST(SixDoFBody, GoesThroughNoWall)
+{
+    struct Scene
+    {
+        std::string walls;
+        Vector3 end;
+        double tolerance;
+    };
+    const double slope = std::sqrt(0.5), groove = 0.12/slope;                      // its sides meet 0.12 m/cos 45 below the middle
+    const Scene scenes[] =
+    {
+        {"floor { type plane; point (0 0 0.78); normal (0 0 1); }", {0, 0, 0.9}, 1e-12},
+        {"left { type plane; point (0 0 0.73029); normal (1 0 1); }\nright { type plane; point (0 0 0.73029); normal (-1 0 1); }", {0, 0, 0.73029 + groove}, 1e-5},
+        {"tank { type box; min (-0.32 -0.12 0.78); max (0.32 0.12 3); }", {0.2, 0, 0.9}, 1e-12},                // into an edge: it has a speed along x
+        {"lift { type plane; point (0 0 0.38); normal (0 0 1); motion { type translation; velocity (0 0 0.5); } }", {0, 0, 1}, 1e-12},
+        {"bowl { type sphere; centre (0 0 1.78); radius 1; liquid inside; }", {0, 0, 0.9}, 1e-12}
+    };
+    for (const Scene& scene : scenes)
+    {
+        const bool isTank = scene.walls.starts_with("tank");
+        Floating ball(sixDoF(density*volume, isTank ? "velocity (0.3 0 0);" : ""), scene.walls + "\n");
+        const BodyStops stops(readAnalyticSurfaces(Dictionary::read(ball.folder.path()/"constant/walls")), "ball", 0.02);
+        constexpr double dt = 1e-3;
+        for (int step = 1; step <= 1000; ++step)
+        {
+            ball.body.advance(step*dt, dt, {}, {0, 0, -9.81}, 0);
+            stops.stop(ball.motions, step*dt, dt);
+        }
+        EXPECT_LT(length(ball.body.centre() - scene.end), scene.tolerance) << scene.walls << ": " << ball.body.centre().x << ' ' << ball.body.centre().z;
+    }
+}
+
+// Mass and what is free may be edited while it moves: it goes on from where it is, and stands along what is not free any more. How it started may not.
+TEST(SixDoFBody, GoesOnWhenItIsEdited)
+{
+    Floating ball(sixDoF(density*volume, "velocity (1 2 3); omega (1 0 0);"));
+    for (int step = 1; step <= 2; ++step) ball.body.advance(step*0.1, 0.1, {{0.7, 0.3, 0.1}, {0.2, 0.9, 0.4}}, {0, 0, -9.81}, added);
+    const SixDoFState before = ball.body.state();
+    Floating edited(sixDoF(2*density*volume, "velocity (1 2 3); omega (1 0 0); translations (z); rotations ();"));
+    edited.body.refuseOtherStart(ball.body);
+    edited.body.goOn(before);
+    EXPECT_EQ(edited.body.centre(), ball.body.centre());
+    EXPECT_EQ(edited.body.state().velocity, Vector3(0, 0, before.velocity.z));
+    EXPECT_EQ(edited.body.state().omega, Vector3());
+    for (const std::string& start : {"velocity (1 2 4); omega (1 0 0);", "velocity (1 2 3); omega (0 0 0);"})
+    {
+        const std::string message = messageOf([&] { Floating(sixDoF(density*volume, start)).body.refuseOtherStart(ball.body); });
+        EXPECT_NE(message.find("which is that of its start"), std::string::npos) << message;
+        EXPECT_NE(message.find("constant/walls at line"), std::string::npos) << message;
+    }
 }
 
 // The numbers of a time folder, for programs and restarts, are those that were written, to the bit.
