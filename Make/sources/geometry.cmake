@@ -104,6 +104,8 @@ set(SHIZUKU_GEOMETRY_SOURCES
     meshes/Creases.C
     wallMotions/SixDoFBody.C
     wallMotions/SixDoFMotion.C
+    meshes/LidsAtSides.C
+    caseFiles/DrawnSurface.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.
