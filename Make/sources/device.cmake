@@ -73,5 +73,6 @@ set(SHIZUKU_KERNEL_SOURCES
     stepping/Sleep.C
     models/reactions/WallReactions.C
     sources/Pool.C
+    sources/Occupied.C
     models/reactions/BodyReaction.C
 )

@@ -67,6 +67,7 @@ set(SHIZUKU_DEVICE_TESTS
     particles/TestParticleFiles.C
     particles/TestUnfold.C
     particles/TestUnits.C
+    population/TestOccupied.C
     population/TestPopulation.C
     stepping/TestCaseSetup.C
     stepping/TestDeclaredReads.C

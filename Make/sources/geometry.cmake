@@ -105,6 +105,8 @@ set(SHIZUKU_GEOMETRY_SOURCES
     wallMotions/SixDoFBody.C
     wallMotions/SixDoFMotion.C
     wallMotions/BodyStops.C
+    meshes/LidsAtSides.C
+    caseFiles/DrawnSurface.C
 )
 
 # Solid particles on surfaces, and bodies of liquid inside of them. CGAL.

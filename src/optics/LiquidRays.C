@@ -81,8 +81,10 @@ Colour LiquidRays::seen(const Vector3& from, const Vector3& direction, const Liq
         const Colour part = look_.mirrors + edge*(Colour(1, 1, 1) - look_.mirrors);
         return times(part, seen(meet->place, mirror, around, weight, bounces + 1));
     }
-    const Colour way = meet->leaves ? passed(meet->distance) : Colour(1, 1, 1);
+    const bool cameInOpen = meet->leaves && bounces == 0;
+    const Colour way = meet->leaves && !cameInOpen ? passed(meet->distance) : Colour(1, 1, 1);
     if (const auto wall = around.wall(meet->place, meet->outward)) return times(way, around.seen(*wall - small_*direction, direction));
+    if (cameInOpen) return seen(meet->place, direction, around, weight, bounces);
     const double ratio = meet->leaves ? look_.index : 1/look_.index;
     const auto onward = refracted(direction, meet->normal, ratio);
     const double part = onward ? mirroredPart(direction, *onward, meet->normal, ratio) : 1;
@@ -101,9 +103,11 @@ std::optional<LiquidRays::Light> LiquidRays::through(const Vector3& from, const 
         const auto meet = meeting(light.from, light.direction);
         if (!meet) return light;
         if (look_.isMetal) return std::nullopt;
-        if (meet->leaves) light.left = times(light.left, passed(meet->distance));
+        const bool cameInOpen = meet->leaves && bounce == 0;
+        if (meet->leaves && !cameInOpen) light.left = times(light.left, passed(meet->distance));
         light.from = meet->place;
         if (const auto wall = around.wall(meet->place, meet->outward)) return Light{light.left, *wall, {}};
+        if (cameInOpen) continue;
         const double ratio = meet->leaves ? look_.index : 1/look_.index;
         const auto onward = refracted(light.direction, meet->normal, ratio);
         if (onward)

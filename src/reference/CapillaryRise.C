@@ -29,7 +29,7 @@ double angleOf(const CapillaryRise& rise, double speed)
 
 double CapillaryRise::finalHeight() const
 {
-    return 2*sigma*std::cos(radians(theta))/(rho*gravity*radius*(1 + areaRatio));
+    return (isBetweenPlates ? 1 : 2)*sigma*std::cos(radians(theta))/(rho*gravity*radius*(1 + areaRatio));
 }
 
 std::vector<double> CapillaryRise::heights(double start, const std::vector<double>& times) const
@@ -40,10 +40,11 @@ std::vector<double> CapillaryRise::heights(double start, const std::vector<doubl
     const auto slope = [&](const LevelAndSpeed& state, LevelAndSpeed& change, double)
     {
         const auto& [level, speed] = state;
-        const double length = immersion/radius + level + entry;
-        const double tension = 2*sigma*std::cos(radians(angleOf(*this, radius*speed)))/(rho*std::pow(radius, 3));
-        const double friction = 8*nu/(radius*radius)*length*speed;
-        change = {speed, (tension - (1 + areaRatio)*gravity/radius*level - friction - speed*std::max(speed, 0.0))/length};
+        const double column = immersion/radius + level;
+        const double tension = (isBetweenPlates ? 1 : 2)*sigma*std::cos(radians(angleOf(*this, radius*speed)))/(rho*std::pow(radius, 3));
+        const double friction = (isBetweenPlates ? 3 : 8)*nu/(radius*radius)*(column + entryFriction)*speed;
+        const double entering = entersAtRest ? speed*std::max(speed, 0.0) : 0;
+        change = {speed, (tension - (1 + areaRatio)*gravity/radius*level - friction - entering)/(column + entry)};
     };
     LevelAndSpeed state{start/radius, 0};
     std::vector<double> result;

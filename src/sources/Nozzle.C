@@ -60,11 +60,12 @@ public:
         for (; layers_*d <= advance_ + rounding*d; ++layers_)
         {
             const double depth = advance_ - layers_*d;
-            for (const Vector3& column : opening_.columns)
+            std::vector<Vector3> layer;
+            for (const Vector3& column : opening_.columns) layer.push_back(at(column, depth));
+            const std::vector<bool> isOccupied = step.areOccupied(layer, (layers_ <= 0 ? apart : free)*d);
+            for (std::size_t k = 0; k < layer.size(); ++k)
             {
-                const Vector3 place = at(column, depth);
-                if (step.isOccupied(place, (layers_ <= 0 ? apart : free)*d)) continue;
-                births.push_back({place, v*opening_.direction});
+                if (!isOccupied[k]) births.push_back({layer[k], v*opening_.direction});
             }
         }
     }

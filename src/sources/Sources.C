@@ -5,6 +5,7 @@
 #include "device/ForEach.H"
 #include "device/Reduce.H"
 #include "parallel/AllParts.H"
+#include "sources/Occupied.H"
 
 #include <algorithm>
 #include <sstream>
@@ -21,27 +22,6 @@ Dictionary readSources(const std::filesystem::path& casePath)
     const auto file = casePath / "constant/sources";
     return std::filesystem::exists(file) ? Dictionary::read(file) : Dictionary();
 }
-
-struct Near
-{
-    std::uint32_t is = 0;                       // 0 or 1: a whole word, which lanes of a GPU pass on
-    HOST_DEVICE void add(const Near& other) { is |= other.is; }
-};
-
-struct IsNear
-{
-    double x, y, z, reach;                      // scaled
-    Periods periods;
-    Span<const Position> position;
-
-    HOST_DEVICE Near operator()(int i) const
-    {
-        const Place p = placeOf(position[i]);
-        const double dx = periods.shortest(quanta::lengthOf(p.x) - x, 0), dy = periods.shortest(quanta::lengthOf(p.y) - y, 1);
-        const double dz = periods.shortest(quanta::lengthOf(p.z) - z, 2);
-        return {dx * dx + dy * dy + dz * dz < reach * reach};
-    }
-};
 
 // A particle that may be drawn, and how far ahead it is of those that go first.
 struct Ahead
@@ -125,14 +105,7 @@ Sources::Change Sources::apply(Liquid& liquid, double from, double to, double& n
 {
     Change change;
     if (list_.empty()) return change;
-    const double unit = liquid.units().length;
-    const auto isOccupied = [&](const Vector3& place, double reach)
-    {
-        if (space_.toPlane(place) < reach) return true;
-        Buffer<Near> scratch;
-        const IsNear near{place.x / unit, place.y / unit, place.z / unit, reach / unit, space_.periods().scaled(unit), liquid.position.span()};
-        return liquid.parts().any(reduce(liquid.owned(), near, scratch).is > 0);
-    };
+    const auto areOccupied = [&](const std::vector<Vector3>& places, double reach) { return shizuku::areOccupied(liquid, space_, places, reach); };
     const auto distance = [&](const Vector3& a, const Vector3& b) { return length(space_.periods().shortest(a - b)); };
     const auto countIn = [&](const Pool& pool) { return particlesIn(liquid, pool, space_.periods()); };
     const auto heightOver = [&](const Pool& pool, const Vector3& column, double apart) { return restingHeight(liquid, pool, space_.periods(), column, apart); };
@@ -140,7 +113,7 @@ Sources::Change Sources::apply(Liquid& liquid, double from, double to, double& n
     for (const Named& named : list_)
     {
         const std::size_t before = births.size();
-        named.source->bear({from, to, isOccupied, distance, countIn, heightOver}, births);
+        named.source->bear({from, to, areOccupied, distance, countIn, heightOver}, births);
         *named.entered += double(births.size() - before);
     }
     change.entered = int(births.size());

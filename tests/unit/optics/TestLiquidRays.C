@@ -105,6 +105,23 @@ TEST(LiquidRays, AbsorbByTheWayThroughTheLiquid)
     EXPECT_NEAR(side.x, std::pow(0.5, 1.2), 2e-3);      // a chord of 2 x 0.6
 }
 
+// A ball open at its side x < 0: what comes in there is neither bent, darkened nor mirrored by the half behind it; what comes from outside is bent.
+TEST(LiquidRays, GoStraightInWhereTheLiquidIsOpen)
+{
+    TriangleMesh half = ball();
+    std::erase_if(half.faces, [&](const std::array<int, 3>& face) { return half.vertices[face[0]].x < 0; });
+    const LiquidRays rays(half, {"dark", 1.33, {0.5, 0.5, 0.5}, {}, false}, 1);
+    const Vector3 along(1, 0, 0), slanting = normalized(Vector3(1, 0.2, 0));
+    EXPECT_EQ(rays.seen({-5, 0.3, 0.1}, along, white), Colour(1, 1, 1));
+    const auto light = rays.through({-5, 0.3, 0.1}, slanting, white);
+    ASSERT_TRUE(light.has_value());
+    EXPECT_EQ(light->left, Colour(1, 1, 1));
+    EXPECT_EQ(light->direction, slanting);
+    const auto bent = rays.through({5, 0.3, 0.1}, -along, white);
+    ASSERT_TRUE(bent.has_value());
+    EXPECT_GT(length(bent->direction + along), 0.05);           // by Snell's law, 18.4 degrees become 13.7
+}
+
 TEST(LiquidRays, EndAtTouchedWallsAndMirrorAtMetals)
 {
     const TriangleMesh mesh = ball();

@@ -8,6 +8,7 @@
 #include "Movie.H"
 
 #include "caseFiles/CaseGravity.H"
+#include "caseFiles/DrawnSurface.H"
 #include "caseFiles/LiquidFiles.H"
 #include "caseFiles/WallPlane.H"
 #include "core/arguments/runApplication.H"
@@ -45,7 +46,8 @@ bool hasSurface(const TimeFolder& time)
 TriangleMesh readSurface(const TimeFolder& time)
 {
     const auto mesh = liquidSurfaceFile(time.path);
-    return std::filesystem::exists(mesh) ? readPly(mesh) : withSharedVertices(readPieces(piecesOfPvtp(liquidSurfaceFile(time.path, "pvtp"))));
+    TriangleMesh whole = std::filesystem::exists(mesh) ? readPly(mesh) : withSharedVertices(readPieces(piecesOfPvtp(liquidSurfaceFile(time.path, "pvtp"))));
+    return drawnSurface(std::move(whole), time.path.parent_path());
 }
 
 bool hasLiquid(const TimeFolder& time)

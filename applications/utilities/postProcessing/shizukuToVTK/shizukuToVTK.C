@@ -19,6 +19,7 @@
 #include "LiquidFields.H"
 #include "SurfaceFields.H"
 
+#include "caseFiles/DrawnSurface.H"
 #include "caseFiles/LiquidFiles.H"
 #include "caseFiles/SolidParticles.H"
 #include "caseFiles/VectorField.H"
@@ -164,7 +165,7 @@ private:
         liquid_.addPiece(time.value, index, std::move(content), spacing_, parts_);
     }
 
-    // A surface that is one mesh is converted by one part.
+    // A surface that is one mesh is converted by one part. In pieces it keeps its lids at cyclic sides: those that are opposite are of other pieces.
     void addSurface(const TimeFolder& time, int index, int converter)
     {
         const auto mesh = liquidSurfaceFile(time.path), pieces = liquidSurfaceFile(time.path, "pvtp");
@@ -175,7 +176,7 @@ private:
         inAllParts(parts_, [&]
         {
             if (!isOne) own = surfaceFields_.of(ownPieces(pieces, parts_));
-            else if (parts_.part() == converter) surface_.add(time.value, index, surfaceFields_.of(readPly(mesh)), spacing_);
+            else if (parts_.part() == converter) surface_.add(time.value, index, surfaceFields_.of(drawnSurface(readPly(mesh), case_)), spacing_);
             else surface_.addOther(time.value, index);
         });
         if (!isOne) surface_.addPiece(time.value, index, std::move(own), spacing_, parts_);
