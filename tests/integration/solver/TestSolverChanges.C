@@ -6,6 +6,7 @@
 #include "core/fieldFile/FieldFile.H"
 #include "support/Process.H"
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -337,6 +338,66 @@ TEST_P(Changes, LeaveProbesTheirPressure)
     std::size_t rows = 0;
     for (; std::getline(table, line); ++rows) EXPECT_EQ(line.find("nan"), std::string::npos) << line;
     EXPECT_EQ(rows, stepsOf(log).size());
+}
+
+// What a body that the liquid moves is edited to acts from where it is, and gravity as well. Far above the liquid nothing else moves it.
+TEST_P(Changes, OfABodyActFromWhereItIs)
+{
+    const auto walls = [&](const std::string& motion)
+    {
+        write("constant/walls", "floor { type plane; point (0 0 0); normal (0 0 1); }\nball { type sphere; centre (0 0 9); radius 2e-3; liquid outside;\nmotion { " + motion + " } }\n");
+    };
+    const std::string of = "type sixDoF; centreOfMass (0 0 9); mass 1e-5; momentOfInertia 1.6e-11; ", usual = of + "velocity (0.1 0 0);";
+    dropBall();
+    // The rows of its state: vx and vz of the last three, which are behind the edit.
+    const auto lastRows = [&]
+    {
+        std::istringstream table(read("postProcessing/body/0/sixDoFRigidBodyState.csv"));
+        std::vector<std::array<double, 2>> rows;
+        std::string line;
+        std::getline(table, line);
+        while (std::getline(table, line))
+        {
+            std::istringstream columns(line);
+            std::array<double, 7> numbers{};
+            char comma;
+            for (double& number : numbers) columns >> number >> comma;
+            rows.push_back({numbers[4], numbers[6]});
+        }
+        rows.erase(rows.begin(), rows.end() - 3);
+        return rows;
+    };
+    const std::string function = "functions { body { type sixDoFRigidBodyState; } }";
+    const auto edited = [&](const std::function<void()>& edit, const std::string& answer)
+    {
+        removeResults();
+        remove("postProcessing");
+        write("constant/g", "value (0 0 -9.81);\n");
+        walls(usual);
+        begin("runTimeModifiable yes; " + function);
+        return editedRun(edit, answer, "writeNow; " + function);
+    };
+    edited([&] { write("constant/g", "value (0 0 0);\n"); }, made);
+    auto rows = lastRows();
+    EXPECT_LT(rows[2][1], -1e-2);
+    EXPECT_EQ(rows[2][1], rows[0][1]);              // it falls no faster
+    EXPECT_EQ(rows[2][0], 0.1);
+    edited([&] { walls(usual + "translations (y); rotations ();"); }, made);
+    rows = lastRows();
+    EXPECT_EQ(rows[2][0], 0);
+    EXPECT_EQ(rows[2][1], 0);                       // it is held where it is
+    const std::vector<std::pair<std::function<void()>, std::string>> wrong
+    {
+        {[&] { walls(of + "velocity (0.2 0 0);"); }, "its velocity was changed, which is that of its start"},
+        {[&] { walls("type translation; velocity (0.1 0 0);"); }, "`translations (); rotations ();` is what holds it"}
+    };
+    for (const auto& [edit, answer] : wrong)
+    {
+        const std::string log = edited(edit, "is left out, the former values stay in force");
+        EXPECT_NE(log.find(answer), std::string::npos) << log;
+        rows = lastRows();
+        EXPECT_LT(rows[2][1], rows[0][1]);          // and it goes on falling
+    }
 }
 
 }
