@@ -33,7 +33,11 @@
 // Why, and what each part gives: doc/notebook/theory/laplacePressure.md.
 //
 //     surfaceTension  laplacePressure;
-//     laplacePressureCoeffs { support 3.25; }         // of the normals and the curvature, in spacings; at least 1.5 of the kernel's
+//     laplacePressureCoeffs
+//     {
+//         support     3.25;       // of the normals and the curvature, in spacings; at least 1.5 of the kernel's
+//         disorder    0.07;       // how far R is from 1.1 at most, where it is not to feed large swings; R is from 0.7 to 1.3 where nothing is said
+//     }
 
 #include "device/Holds.H"
 #include "freeSurface/SemiImplicitTension.H"
@@ -41,6 +45,8 @@
 #include "models/surfaceTension/surfaceCurvature/CurvatureTension.H"
 #include "models/surfaceTension/surfaceCurvature/RegressedCurvature.H"
 #include "walls/HalfSpace.H"
+
+#include <limits>
 
 namespace shizuku
 {
@@ -148,6 +154,14 @@ struct RemoveOrderStress
     }
 };
 
+constexpr scalar calm = 0.1f;               // R - 1 in calm drops
+
+// Of R - 1 where `disorder` is given, before what long steps follow of it.
+struct DisorderBounds
+{
+    scalar least = std::numeric_limits<scalar>::lowest(), most = std::numeric_limits<scalar>::max();
+};
+
 // sigma kappa R: the jump of pressure that a particle's force is of. more: R - 1.
 HOST_DEVICE inline scalar withDisorder(scalar jump, scalar more)
 {
@@ -180,8 +194,6 @@ struct Push
 // Of long steps: notes the jump, for SemiImplicitTension. R feeds waves that such steps do not resolve, and they follow less of it.
 struct NoteJump
 {
-    static constexpr scalar calm = 0.1f;    // R - 1 in calm drops
-
     scalar resolved;                        // t_c/dt
     FreeSurfaceView surface;
     Span<scalar> noted;
@@ -217,6 +229,7 @@ struct FindJump
     WendlandC2 W;
     scalar sigma, spacing;
     scalar followed;                                // share of what single curvatures differ by from their mean
+    DisorderBounds bounds;
     NeighbourView near;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                        // with b
@@ -257,7 +270,7 @@ struct FindJump
         const scalar mean = weight > 0 ? kappas / weight : own;
         scalar jump = sigma * steadied(mean + followed * (own - mean), mean);
         if (jump < 0) jump *= fmin(fmax((filled / all - torn) / (whole - torn), 0), 1);
-        take(i, jump, disorder / fmax(planar, 1e-20f));
+        take(i, jump, fmin(fmax(disorder / fmax(planar, 1e-20f), bounds.least), bounds.most));
     }
 };
 
@@ -267,6 +280,7 @@ public:
     LaplacePressure(const Dictionary& coeffs, Liquid& liquid, const Walls&, FreeSurface& surface)
     :
         CurvatureTension(coeffs, liquid, surface),
+        bounds_(boundsOf(coeffs)),
         plane_(tabulateHalfSpace(liquid.kernel())),
         semiImplicit_(liquid)
     {
@@ -341,7 +355,7 @@ private:
     {
         forEachTeam(surface_.particles(), FindJump<Take>
         {
-            surface_.kernel(), sigma_, liquid.spacing(), followed(), near.view(), surface_.view(), field.normal.span(), std::as_const(deficiency_).span(), take
+            surface_.kernel(), sigma_, liquid.spacing(), followed(), bounds_, near.view(), surface_.view(), field.normal.span(), std::as_const(deficiency_).span(), take
         });
     }
 
@@ -363,6 +377,15 @@ private:
         );
     }
 
+    static DisorderBounds boundsOf(const Dictionary& coeffs)
+    {
+        if (!coeffs.found("disorder")) return {};
+        const scalar disorder = coeffs.lookup<scalar>("disorder");
+        if (!(disorder >= 0 && disorder <= 0.2f)) throw FatalInputError(coeffs.where("disorder"), "Coefficient disorder is out of range", "0 to 0.2");
+        return {calm - disorder, calm + disorder};
+    }
+
+    DisorderBounds bounds_;
     Buffer<HalfSpaceValues> plane_;
     std::optional<ExtendedLiquid> extended_;        // of the density's kernel
     SampledEdges edges_;

@@ -15,9 +15,9 @@ using namespace shizuku::test;
 namespace
 {
 
-std::unique_ptr<SurfaceTension> makeLaplacePressure(LiquidCase& drop)
+std::unique_ptr<SurfaceTension> makeLaplacePressure(LiquidCase& drop, const std::string& coeffs = {})
 {
-    const Dictionary models = Dictionary::parse("surfaceTension laplacePressure;", "constant/models");
+    const Dictionary models = Dictionary::parse("surfaceTension laplacePressure; laplacePressureCoeffs { " + coeffs + " }", "constant/models");
     return SurfaceTension::New(models, drop.liquid, drop.walls, drop.surface);
 }
 
@@ -71,6 +71,32 @@ TEST(LaplacePressure, BalancesTheSamePressureInAllParticlesOfABall)
         EXPECT_GT(inward[1], inward[0]) << radius;                      // a ball's surface misses more than a plane
         EXPECT_LT(inward[1] / inward[0], 1.06) << radius;               // a fifth of what it misses more, which is less than 0.3
     }
+}
+
+// With `disorder 0` what a particle misses more than a plane does not enter: the same force with o = 1 and 1.2, to the bit. With 0.05 the force of each is within 0.05/1.1 of that.
+TEST(LaplacePressure, FollowsDisorderAsFarAsIsSaid)
+{
+    const auto points = latticeBall(7.3f);
+    const auto forces = [&](const std::string& coeffs, scalar ordering)
+    {
+        LiquidCase drop;
+        const auto tension = makeLaplacePressure(drop, coeffs);
+        drop.surface.agreed().ordering = ordering;
+        return tensionOf(drop, *tension, points);
+    };
+    const auto calm = forces("disorder 0;", 1), same = forces("disorder 0;", 1.2f), near = forces("disorder 0.05;", 1.2f), all = forces("", 1.2f);
+    scalar farthest = 0, farthestOfAll = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        ASSERT_EQ(norm(calm[i] - same[i]), 0);
+        if (norm(calm[i]) == 0) continue;
+        farthest = std::max(farthest, norm(near[i] - calm[i]) / norm(calm[i]));
+        farthestOfAll = std::max(farthestOfAll, norm(all[i] - calm[i]) / norm(calm[i]));
+    }
+    EXPECT_LT(farthest, 0.05f / 1.1f + 1e-5f);              // single precision
+    EXPECT_GT(farthestOfAll, 0.05f / 1.1f + 0.01f);
+    LiquidCase drop;
+    EXPECT_THROW(makeLaplacePressure(drop, "disorder 0.3;"), FatalInputError);
 }
 
 // A ball that is cut out of a lattice of as many particles a volume, drawn out along x: what its order bears there is not what it bears across, and a
