@@ -13,7 +13,6 @@
 //     contactAngleCoeffs  { solidNormal SPH; }
 
 #include "maths/CohesionSpline.H"
-#include "models/density/Density.H"
 #include "models/wetting/Wetting.H"
 
 namespace shizuku
@@ -98,8 +97,7 @@ public:
     :
         gamma_(requirePairCoefficients(tension, coeffs)),
         solidNormal_(coeffs.lookupChoiceOr("solidNormal", {"SPH", "wall", "zero"}, "SPH")),
-        normal_(liquid.fields().require<Vec3>({.name = "normal", .dimensions = dimensions::none, .sorted = false})),
-        density_(requirePredictedDensity(liquid)),
+        made_(*tension.pairFields()),
         reach_(solidNormal_ == "SPH" ? 2 * liquid.support() + liquid.spacing() : 0)
     {}
 
@@ -107,7 +105,7 @@ public:
 
     std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override
     {
-        return reach_ > 0 ? Columns{valuesOf(density_), valuesOf(liquid.position)} : Columns{};
+        return reach_ > 0 ? Columns{valuesOf(made_.density), valuesOf(liquid.position)} : Columns{};
     }
 
     // Normals of solid particles are sums over liquid within the support of those that are within it, or half a spacing farther, as lists and walls without particles have them.
@@ -128,9 +126,9 @@ public:
                     {liquid.support()}, gamma_, liquid.restDensity(), liquid.spacing(),
                     {
                         choice, W, liquid.particleVolume(), near.grid().view(), liquid.predicted.span(),
-                        liquid.position.span(), density_.span()
+                        liquid.position.span(), made_.density.span()
                     },
-                    liquid.predicted.span(), normal_.span(), density_.span(), walls.view(liquid), acceleration.span()
+                    liquid.predicted.span(), made_.normal.span(), made_.density.span(), walls.view(liquid), acceleration.span()
                 });
             },
             liquid.kernel()
@@ -140,8 +138,7 @@ public:
 private:
     PairCoefficients gamma_;
     std::string solidNormal_;
-    Buffer<Vec3>& normal_;
-    Buffer<scalar>& density_;               // computed by the tension
+    PairFields made_;                       // by the tension
     scalar reach_;
 };
 
