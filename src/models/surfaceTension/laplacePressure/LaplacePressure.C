@@ -380,9 +380,9 @@ private:
     static DisorderBounds boundsOf(const Dictionary& coeffs)
     {
         if (!coeffs.found("disorder")) return {};
-        const scalar disorder = coeffs.lookup<scalar>("disorder");
-        if (!(disorder >= 0 && disorder <= 0.2f)) throw FatalInputError(coeffs.where("disorder"), "Coefficient disorder is out of range", "0 to 0.2");
-        return {calm - disorder, calm + disorder};
+        const double disorder = coeffs.lookup<double>("disorder");
+        if (!(disorder >= 0 && disorder <= 0.2)) throw FatalInputError(coeffs.where("disorder"), "Coefficient disorder is out of range", "0 to 0.2");
+        return {calm - scalar(disorder), calm + scalar(disorder)};
     }
 
     DisorderBounds bounds_;
