@@ -14,6 +14,13 @@
 namespace shizuku
 {
 
+Vector3 meanOf(const std::vector<Vector3>& places)
+{
+    Vector3 mean;
+    for (const Vector3& x : places) mean = mean + (1.0/double(places.size()))*x;
+    return mean;
+}
+
 namespace fs = std::filesystem;
 
 CaseResults::CaseResults(const fs::path& casePath) : casePath_(casePath), times_(timeFolders(casePath))

@@ -115,7 +115,8 @@ public:
     // What is not of nu is noise.
     std::optional<Buffer<scalar>> dissipation(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) const override
     {
-        if (liquid.isEmpty() || noise_.share(dt) == 0) return std::nullopt;
+        if (noise_.share(dt) == 0) return std::nullopt;
+        if (liquid.isEmpty()) return Buffer<scalar>();
         return std::visit
         (
             [&]<class Kernel>(const Kernel& W)

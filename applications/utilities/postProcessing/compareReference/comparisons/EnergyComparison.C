@@ -24,18 +24,15 @@ namespace
 // Of the semi-axes a, a, c.
 double spheroidArea(double a, double c)
 {
-    const double e = std::sqrt(std::abs(1 - (c*c)/(a*a)));
+    const double shorter = std::min(a, c)/std::max(a, c), e = std::sqrt(1 - shorter*shorter);
     if (e < 1e-6) return 4*std::numbers::pi*a*a;
-    if (c < a) return 2*std::numbers::pi*a*a*(1 + (1 - e*e)/e*std::atanh(e));
-    const double prolate = std::sqrt(1 - (a*a)/(c*c));
-    return 2*std::numbers::pi*a*a*(1 + c/(a*prolate)*std::asin(prolate));
+    return 2*std::numbers::pi*a*a*(1 + (c < a ? shorter*shorter/e*std::atanh(e) : std::asin(e)/(e*shorter)));
 }
 
 // Of the spheroid with the places' second moments, brought to the volume.
 double areaByMoments(const std::vector<Vector3>& places, double volume)
 {
-    Vector3 centre(0, 0, 0);
-    for (const Vector3& x : places) centre = centre + (1.0/double(places.size()))*x;
+    const Vector3 centre = meanOf(places);
     double across = 0, along = 0;
     for (const Vector3& x : places)
     {

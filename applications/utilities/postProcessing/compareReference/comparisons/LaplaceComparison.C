@@ -22,8 +22,7 @@ static std::vector<ComparisonRow> compareLaplace(const CaseResults& results, dou
         if (time.value < 0.5*results.times().back().value || !std::filesystem::exists(file)) continue;
         const std::vector<Vector3> positions = results.positions(time);
         const FieldData p = readField(file, FieldType::scalar, dimensions::pressure, long(positions.size()));
-        Vector3 centre{0, 0, 0};
-        for (const Vector3& x : positions) centre = centre + (1.0/double(positions.size()))*x;
+        const Vector3 centre = meanOf(positions);
         for (std::size_t i = 0; i < positions.size(); ++i)
         {
             if (length(positions[i] - centre) > 0.6*results.radius()) continue;

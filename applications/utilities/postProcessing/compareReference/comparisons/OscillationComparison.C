@@ -22,8 +22,7 @@ namespace
 
 double elongation(const std::vector<Vector3>& positions, int mode)
 {
-    Vector3 centre{0, 0, 0};
-    for (const Vector3& x : positions) centre = centre + (1.0/double(positions.size()))*x;
+    const Vector3 centre = meanOf(positions);
     double moment = 0, size = 0;
     for (const Vector3& x : positions)
     {
