@@ -3,7 +3,8 @@
 // transmits as the density's kernel would.
 //
 //     a_i     = sigma/rho0 2 kappa g_i R_i G_i/|G_i|,       g_i = |Psi'(s_i)|
-//     R_i     = 1 + sign(kappa) sum_j v_ij [o (D_j.G_j/|G_j| - g_j) - S_j.G_j/|G_j|] / sum_j v_ij g_j,        from 0.7 to 1.3
+//     R_i     = 1 + sign(kappa) sum_j v_ij [o (D_j.G_j/|G_j| - g_j) - S_j.G_j/|G_j|] / sum_j v_ij g_j
+//               from 1.03 to 1.3, from 0.7 to 0.97 where kappa < 0
 //     v_ij    = W_ij (1 - |s_i - s_j|/(5.5 d))
 //     D_j     = sum_l V grad W^rho_jl + grad w              of the density's kernel W^rho, w: the wall's wedge
 //     S_j     = 1/2 sum_l V (T_j + T_l) grad W^rho_jl,      T = t (n n - 1/3), t = 3/2 n.(r q D) n, n = G/|G|
@@ -33,11 +34,7 @@
 // Why, and what each part gives: doc/notebook/theory/laplacePressure.md.
 //
 //     surfaceTension  laplacePressure;
-//     laplacePressureCoeffs
-//     {
-//         support     3.25;       // of the normals and the curvature, in spacings; at least 1.5 of the kernel's
-//         disorder    0.07;       // how far R is from 1.1 at most, where it is not to feed large swings; R is from 0.7 to 1.3 where nothing is said
-//     }
+//     laplacePressureCoeffs { support 3.25; }         // of the normals and the curvature, in spacings; at least 1.5 of the kernel's
 
 #include "device/Holds.H"
 #include "freeSurface/SemiImplicitTension.H"
@@ -45,8 +42,6 @@
 #include "models/surfaceTension/surfaceCurvature/CurvatureTension.H"
 #include "models/surfaceTension/surfaceCurvature/RegressedCurvature.H"
 #include "walls/HalfSpace.H"
-
-#include <limits>
 
 namespace shizuku
 {
@@ -154,19 +149,13 @@ struct RemoveOrderStress
     }
 };
 
-constexpr scalar calm = 0.1f;               // R - 1 in calm drops
+// R - 1: in calm drops, and its bounds. Below the least one R would feed swings that go far.
+constexpr scalar calm = 0.1f, least = 0.03f, most = 0.3f;
 
-// Of R - 1 where `disorder` is given, before what long steps follow of it.
-struct DisorderBounds
-{
-    scalar least = std::numeric_limits<scalar>::lowest(), most = std::numeric_limits<scalar>::max();
-};
-
-// sigma kappa R: the jump of pressure that a particle's force is of. more: R - 1.
+// sigma kappa R: the jump of pressure that a particle's force is of. more: R - 1, at least `least`.
 HOST_DEVICE inline scalar withDisorder(scalar jump, scalar more)
 {
-    constexpr scalar farthest = 0.3f;
-    const scalar bounded = fmin(fmax(more, -farthest), farthest);
+    const scalar bounded = fmin(more, most);
     return jump * (jump < 0 ? 1 - bounded : 1 + bounded);
 }
 
@@ -229,7 +218,6 @@ struct FindJump
     WendlandC2 W;
     scalar sigma, spacing;
     scalar followed;                                // share of what single curvatures differ by from their mean
-    DisorderBounds bounds;
     NeighbourView near;
     FreeSurfaceView surface;
     Span<const Vec3> normal;                        // with b
@@ -270,7 +258,7 @@ struct FindJump
         const scalar mean = weight > 0 ? kappas / weight : own;
         scalar jump = sigma * steadied(mean + followed * (own - mean), mean);
         if (jump < 0) jump *= fmin(fmax((filled / all - torn) / (whole - torn), 0), 1);
-        take(i, jump, fmin(fmax(disorder / fmax(planar, 1e-20f), bounds.least), bounds.most));
+        take(i, jump, fmax(disorder / fmax(planar, 1e-20f), least));
     }
 };
 
@@ -280,7 +268,6 @@ public:
     LaplacePressure(const Dictionary& coeffs, Liquid& liquid, const Walls&, FreeSurface& surface)
     :
         CurvatureTension(coeffs, liquid, surface),
-        bounds_(boundsOf(coeffs)),
         plane_(tabulateHalfSpace(liquid.kernel())),
         semiImplicit_(liquid)
     {
@@ -355,7 +342,7 @@ private:
     {
         forEachTeam(surface_.particles(), FindJump<Take>
         {
-            surface_.kernel(), sigma_, liquid.spacing(), followed(), bounds_, near.view(), surface_.view(), field.normal.span(), std::as_const(deficiency_).span(), take
+            surface_.kernel(), sigma_, liquid.spacing(), followed(), near.view(), surface_.view(), field.normal.span(), std::as_const(deficiency_).span(), take
         });
     }
 
@@ -377,15 +364,6 @@ private:
         );
     }
 
-    static DisorderBounds boundsOf(const Dictionary& coeffs)
-    {
-        if (!coeffs.found("disorder")) return {};
-        const double disorder = coeffs.lookup<double>("disorder");
-        if (!(disorder >= 0 && disorder <= 0.2)) throw FatalInputError(coeffs.where("disorder"), "Coefficient disorder is out of range", "0 to 0.2");
-        return {calm - scalar(disorder), calm + scalar(disorder)};
-    }
-
-    DisorderBounds bounds_;
     Buffer<HalfSpaceValues> plane_;
     std::optional<ExtendedLiquid> extended_;        // of the density's kernel
     SampledEdges edges_;
