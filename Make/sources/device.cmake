@@ -75,4 +75,5 @@ set(SHIZUKU_KERNEL_SOURCES
     sources/Pool.C
     sources/Occupied.C
     models/reactions/BodyReaction.C
+    particles/HiddenValues.C
 )

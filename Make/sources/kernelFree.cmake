@@ -74,6 +74,7 @@ set(SHIZUKU_KERNEL_FREE_SOURCES
     functionObjects/populationBalance/PopulationBalance.C
     particles/Sides.C
     particles/Unfold.C
+    particles/NeighbourLoop.C
     walls/WallsAtSides.C
     walls/WallEntries.C
     functionObjects/wallForces/WallForces.C

@@ -8,6 +8,7 @@
 
 #include "device/ForEach.H"
 #include "models/particleShifting/ParticleShifting.H"
+#include "particles/NeighbourLoop.H"
 
 namespace shizuku
 {
@@ -53,7 +54,7 @@ public:
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                liquid.ghosts().forEachTeam(liquid.owned(), Diffuse<Kernel>
+                NeighbourLoop(liquid).forEachTeam(Diffuse<Kernel>
                 {
                     W, strength_ * W.h * W.h * liquid.particleVolume(), liquid.position.span(), near.view(), walls.stop(liquid),
                     liquid.predicted.span()

@@ -7,6 +7,7 @@
 //     system/solution:   pressure { iterations 4; }
 
 #include "models/pressure/Pressure.H"
+#include "particles/NeighbourLoop.H"
 
 namespace shizuku
 {
@@ -53,10 +54,12 @@ public:
     {
         ++made_;
         corrected_.resizeDiscarding(liquid.all());
-        forEach(liquid.owned(), Separate{liquid.spacing(), liquid.predicted.span(), near.view(), corrected_.span()});
+        NeighbourLoop(liquid, {placesOf(liquid.predicted)}).forEach(Separate{liquid.spacing(), liquid.predicted.span(), near.view(), corrected_.span()});
         liquid.predicted.swap(corrected_);
     }
 
+    // Of converged(); the loop of correct() says what it reads.
+    std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
     int iterations() const override { return made_; }
 
 private:

@@ -7,6 +7,7 @@
 //     @word@Coeffs  { strength 1; }
 
 #include "models/surfaceTension/SurfaceTension.H"
+#include "particles/NeighbourLoop.H"
 
 namespace shizuku
 {
@@ -48,13 +49,16 @@ public:
         );
     }
 
+    // Ghosts have the predicted positions from the search for neighbours.
+    std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
+
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls&, Buffer<Vec3>& acceleration) override
     {
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                forEach(liquid.owned(), Attract<Kernel>
+                NeighbourLoop(liquid, {}, {placesOf(liquid.predicted)}).forEach(Attract<Kernel>
                 {
                     W, stiffness_ * liquid.particleVolume(), liquid.predicted.span(), near.view(), acceleration.span()
                 });

@@ -45,6 +45,8 @@ public:
         strength_ = liquid.units().toScaled(strength, dimensions::acceleration);
     }
 
+    std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
+
     void apply(Liquid& liquid, const Neighbourhood&, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
         if (walls.particles() == 0 && walls.surfaces() == 0) return;

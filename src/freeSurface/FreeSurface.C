@@ -8,6 +8,7 @@
 #include "freeSurface/FindContactLine.H"
 #include "maths/EvenTable.H"
 #include "maths/Lattice.H"
+#include "particles/NeighbourLoop.H"
 
 #include <algorithm>
 
@@ -236,13 +237,13 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
     edges_.follow(walls.view(liquid).planes, *kernel_, liquid);
     constexpr scalar oneSided = 0.225f;         // of the support; 0.375 for all of a half-space
     Buffer<std::uint8_t> isExposed(liquid.all()), isNear(liquid.all());
-    forEachTeam(liquid.owned(), FindExposed
+    NeighbourLoop(liquid, {}, {placesOf(liquid.predicted)}).forEachTeam(FindExposed
     {
         liquid.predicted.span(), near.view(), neighbours(liquid, fewestInside), neighbours(liquid, mostExposed), liquid.support(),
         oneSided * liquid.support(), isExposed.span()
     });
     const FindSurface findSurface{near.view(), std::as_const(isExposed).span(), isNear.span()};
-    liquid.ghosts().forEachTeam(liquid.owned(), findSurface, {valuesOf(isExposed)}, {valuesOf(isNear)}, GhostsOf::all);
+    NeighbourLoop(liquid, {valuesOf(isExposed)}).forEachTeam(findSurface, {valuesOf(isNear)}, GhostsOf::all);
     isExposed = {};
     particles_.ghosts = liquid.all() - liquid.owned();
     select(isNear, particles_, room_, readCount_);
@@ -264,9 +265,12 @@ void FreeSurface::search(const Liquid& liquid, const Neighbourhood& near, const 
 void FreeSurface::reconstruct(const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
 {
     position_.resizeDiscarding(room_);
-    asShared(near.wide(liquid), [&]<class Search>(const Search& wide)
+    NeighbourLoop(liquid, {}, {placesOf(liquid.predicted)}).run([&]
     {
-        forEachGroup(particles_, SumColour<Search>{*kernel_, liquid.particleVolume() / latticeSum_, wide, particles_.indices.span(), gradient_.span()});
+        asShared(near.wide(liquid), [&]<class Search>(const Search& wide)
+        {
+            forEachGroup(particles_, SumColour<Search>{*kernel_, liquid.particleVolume() / latticeSum_, wide, particles_.indices.span(), gradient_.span()});
+        });
     });
     if (anyContact_.size() == 0)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "freeSurface/HeldLine.H"
 
+#include "particles/NeighbourLoop.H"
 #include "walls/LineLimits.H"
 
 #include <utility>
@@ -192,13 +193,12 @@ void HeldLine::advance(Liquid& liquid, const Neighbourhood& near, const Walls& w
         d, surface.support(), std::as_const(liquid.position).span(), std::as_const(liquid.velocity).span(), std::as_const(*angle_).span(),
         std::as_const(*speed_).span(), surface.view(), walls.view(liquid), motion_.span()
     });
-    liquid.ghosts().copy({valuesOf(particles, motion_, Column::Kind::numbers), valuesOf(liquid.position)}, GhostsOf::lists);
     for (Buffer<scalar>* next : {&nextAngle_, &nextSpeed_})
     {
         next->resizeDiscarding(liquid.all());
         next->setZero();
     }
-    forEachTeam(particles, AdvanceAngle
+    NeighbourLoop(liquid, {valuesOf(particles, motion_, Column::Kind::numbers), valuesOf(liquid.position)}).forEachTeam(particles, AdvanceAngle
     {
         liquid.support(), liquid.support() + 0.5f * d, dt / d, step / (filterTime + step), step / (eveningTime + step),
         std::as_const(liquid.position).span(), near.view(), surface.view(), walls.view(liquid), walls.lineLimits(), std::as_const(motion_).span(),

@@ -3,6 +3,7 @@
 
 #include "device/ForEach.H"
 #include "device/Holds.H"
+#include "particles/NeighbourLoop.H"
 
 #include <algorithm>
 #include <cmath>
@@ -138,12 +139,11 @@ void SemiImplicitTension::smooth
             {
                 view, {plane_.span(), W.h}, normals.span(), jump.span(), normal_.span(), residual_.span(), direction_.span()
             });
-            liquid.ghosts().copy({valuesOf(surface.particles(), normal_)}, GhostsOf::lists);
             for (int made = 0; made <= iterations(dt); ++made)
             {
-                liquid.ghosts().copy({valuesOf(surface.particles(), direction_)}, GhostsOf::lists);
                 const scalar now = made == 0 ? radius / centre : 1 / (2 * centre / radius - before);
-                forEachTeam(surface.particles(), Iterate<Kernel>
+                const Column normals = valuesOf(surface.particles(), normal_), direction = valuesOf(surface.particles(), direction_);
+                NeighbourLoop(liquid, {direction, when(made == 0, normals)}, {placesOf(liquid.predicted), normals}).forEachTeam(surface.particles(), Iterate<Kernel>
                 {
                     W, stiffness(dt) * liquid.particleVolume(), now * before, (made == 0 ? 1 : 2) * now / radius, liquid.predicted.span(), near.view(), view,
                     std::as_const(normal_).span(), std::as_const(direction_).span(), residual_.span(), next_.span(), jump.span()

@@ -4,6 +4,7 @@
 #include "device/Algorithms.H"
 #include "device/Atomic.H"
 #include "device/CountUp.H"
+#include "particles/HiddenValues.H"
 
 #include <algorithm>
 #include <utility>
@@ -49,23 +50,6 @@ struct EdgeFirst
         const int edges = int(before[chunk]), all = int(before[before.size - 1]);
         const bool isEdge = before[chunk + 1] != before[chunk];
         chunks[isEdge ? edges : all + chunk - edges] = std::uint32_t(chunk);
-    }
-};
-
-// No number, and far away as a place.
-template<class T>
-struct Poison
-{
-    Span<T> values;
-    int first;
-
-    HOST_DEVICE void operator()(int k) const
-    {
-        constexpr bool single = sizeof(scalar) == 4;
-        constexpr Word noNumber = single ? Word(0x7fc00000) : Word(std::int64_t(0x7ff80000) << 32 * !single);
-        if constexpr (std::is_same_v<T, scalar>) values[first + k] = numberOf(noNumber);
-        else if constexpr (std::is_same_v<T, Vec3>) values[first + k] = {numberOf(noNumber), numberOf(noNumber), numberOf(noNumber), numberOf(noNumber)};
-        else values[first + k] = {noNumber, noNumber, noNumber, noNumber};
     }
 };
 
@@ -141,33 +125,10 @@ int Ghosts::edges() const
     return *edges_;
 }
 
-void Ghosts::declare(FieldRegistry& fields, const Columns& read, GhostsHave have) const
+void Ghosts::declare(const FieldRegistry& fields, const Columns& read, GhostsHave have) const
 {
     declared_ = read;
-    if (poisons_ && have != GhostsHave::valuesOfIteration) poison(fields, read, have);
-}
-
-// Numbers of particles and cells, which are whole, stay.
-void Ghosts::poison(FieldRegistry& fields, const Columns& but, GhostsHave have) const
-{
-    for (const auto& field : fields.entries())
-    {
-        if (have == GhostsHave::valuesOfSearch && field->info.exchanged) continue;
-        std::visit
-        (
-            [&]<class T>(Buffer<T>& values)
-            {
-                if constexpr (!std::is_same_v<T, std::uint32_t>)
-                {
-                    const auto* first = reinterpret_cast<std::byte*>(values.span().data);
-                    const auto isThis = [&](const Column& column) { return column.values >= first && column.values < first + sizeof(T); };
-                    if (values.size() <= owned_ || std::any_of(but.begin(), but.end(), isThis)) return;
-                    forEach(values.size() - owned_, Poison<T>{values.span(), owned_});
-                }
-            },
-            field->values
-        );
-    }
+    if (poisons_ && have != GhostsHave::valuesOfIteration) poison(fields, owned_, read, have == GhostsHave::valuesOfSearch);
 }
 
 void Ghosts::copy(const Columns& values, GhostsOf which) const

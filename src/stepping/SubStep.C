@@ -94,6 +94,7 @@ void SubStep::force(scalar dt)
 {
     models_.freeSurface->search(liquid_, near_, walls_);
     models_.forces.applyBeforeIterations(liquid_, near_, walls_, dt);
+    liquid_.ghosts().dropDeclared();
 }
 
 void SubStep::constrain(scalar dt)
@@ -102,7 +103,13 @@ void SubStep::constrain(scalar dt)
     dropVelocities(liquid_);
     models_.freeSurface->dropPositions();
     walls_.project(liquid_);
-    iterate(liquid_, near_, walls_, *models_.pressure, dt, [&] { return models_.forces.applyInIteration(liquid_, near_, walls_, dt); });
+    iterate(liquid_, near_, walls_, *models_.pressure, dt, [&]
+    {
+        if (models_.forces.readInIteration()) liquid_.ghosts().copy({placesOf(liquid_.predicted)});
+        const bool moved = models_.forces.applyInIteration(liquid_, near_, walls_, dt);
+        liquid_.ghosts().dropDeclared();
+        return moved;
+    });
     models_.forces.finish(liquid_, dt);
 }
 

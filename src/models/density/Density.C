@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/density/Density.H"
 
+#include "particles/NeighbourLoop.H"
+
 namespace shizuku
 {
 
@@ -16,7 +18,7 @@ struct StoreDensity
     HOST_DEVICE void operator()(int i) const { density[i] = densityOf(i); }
 };
 
-void store(const Liquid& liquid, const Buffer<Position>& at, const Neighbourhood& near, const Walls& walls, Buffer<scalar>& density)
+void store(const Liquid& liquid, Buffer<Position>& at, const Neighbourhood& near, const Walls& walls, Buffer<scalar>& density)
 {
     std::visit
     (
@@ -24,9 +26,9 @@ void store(const Liquid& liquid, const Buffer<Position>& at, const Neighbourhood
         {
             const DensityOf<Kernel> densityOf
             {
-                W, liquid.particleVolume() / liquid.latticeSum(), at.span(), near.view(), walls.view(liquid)
+                W, liquid.particleVolume() / liquid.latticeSum(), std::as_const(at).span(), near.view(), walls.view(liquid)
             };
-            forEach(liquid.owned(), StoreDensity<Kernel>{densityOf, density.span()});
+            NeighbourLoop(liquid, {}, {placesOf(at)}).forEach(StoreDensity<Kernel>{densityOf, density.span()});
         },
         liquid.kernel()
     );
@@ -39,7 +41,7 @@ void computeDensity(Liquid& liquid, const Neighbourhood& near, const Walls& wall
     computeDensity(liquid, liquid.predicted, near, walls);
 }
 
-void computeDensity(Liquid& liquid, const Buffer<Position>& at, const Neighbourhood& near, const Walls& walls)
+void computeDensity(Liquid& liquid, Buffer<Position>& at, const Neighbourhood& near, const Walls& walls)
 {
     store(liquid, at, near, walls, liquid.density);
 }

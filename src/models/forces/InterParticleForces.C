@@ -41,8 +41,7 @@ bool InterParticleForces::applyInIteration(Liquid& liquid, const Neighbourhood& 
         moveOn(liquid, dt, 1);
         return true;
     }
-    if (!actInIterations()) return false;
-    liquid.ghosts().copy({valuesOf(liquid.predicted, Column::Kind::places)});
+    if (!readInIteration()) return false;
     apply(liquid, near, walls, dt);
     return true;
 }
@@ -88,7 +87,6 @@ void InterParticleForces::apply(Liquid& liquid, const Neighbourhood& near, const
     tension_->apply(liquid, near, walls, acceleration_);
     wetting_->declareReads(liquid, have);
     wetting_->apply(liquid, near, walls, acceleration_);
-    liquid.ghosts().dropDeclared();
     left_ = parts_;
     moveOn(liquid, dt, 1);
     isKept_ = !everyIteration_ && tension_->isInternal() && !walls.constraints().all();

@@ -16,6 +16,7 @@
 
 #include "device/ForEach.H"
 #include "models/particleShifting/ParticleShifting.H"
+#include "particles/NeighbourLoop.H"
 
 namespace shizuku
 {
@@ -70,7 +71,7 @@ public:
         constexpr scalar most = 0.1f, outermost = 1;        // spacings; a step; below the surface
         const scalar d = liquid.spacing();
         // The predicted positions are done with.
-        liquid.ghosts().forEachTeam(liquid.owned(), PartPairs
+        NeighbourLoop(liquid).forEachTeam(PartPairs
         {
             distance_ * d, most * d, outermost * d, liquid.position.span(), near.view(), surface_.view(), walls.stop(liquid),
             liquid.predicted.span()

@@ -21,6 +21,7 @@
 #include "models/pressure/Pressure.H"
 #include "models/pressure/shared/IterationControls.H"
 #include "models/pressure/shared/SoundSpeed.H"
+#include "particles/NeighbourLoop.H"
 
 namespace shizuku
 {
@@ -153,13 +154,11 @@ public:
         if (made_ > 0 || liquid.isEmpty()) return true;
         pressure_.resizeDiscarding(liquid.all());
         nearPressure_.resizeDiscarding(liquid.all());
-        liquid.ghosts().copyDeclared();
-        forEach(liquid.owned(), Pressures
+        NeighbourLoop(liquid).forEach(Pressures
         {
             relaxation_, 1 / liquid.particleVolume(), liquid.predicted.span(), near.view(), walls.view(liquid).particles,
             pressure_.span(), nearPressure_.span()
         });
-        liquid.ghosts().copy({valuesOf(pressure_), valuesOf(nearPressure_)}, GhostsOf::lists);
         return false;
     }
 
@@ -167,7 +166,7 @@ public:
     {
         ++made_;
         corrected_.resizeDiscarding(liquid.all());
-        forEach(liquid.owned(), Relax
+        NeighbourLoop(liquid, {valuesOf(pressure_), valuesOf(nearPressure_)}, {placesOf(liquid.predicted)}).forEach(Relax
         {
             relaxation_.h, 0.5f * dt_ * dt_, 1 / liquid.particleVolume(), liquid.predicted.span(), near.view(),
             walls.view(liquid).particles, pressure_.span(), nearPressure_.span(), corrected_.span()

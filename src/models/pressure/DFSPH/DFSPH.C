@@ -28,6 +28,7 @@
 #include "models/pressure/shared/IterationControls.H"
 #include "models/pressure/shared/PressureField.H"
 #include "models/pressure/shared/PushApart.H"
+#include "particles/NeighbourLoop.H"
 
 namespace shizuku
 {
@@ -197,18 +198,16 @@ public:
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                liquid.ghosts().copyDeclared();
                 if (iterations_ == 0)
                 {
-                    prepare(W, liquid, near, walls);
+                    prepare(W, {}, liquid, near, walls);
                     computeDensity(liquid, liquid.position, near, walls);
                     start_.resizeDiscarding(liquid.all());
                     start_.swap(liquid.density);
                     forEach(liquid.owned(), WarmStart{warmStart_ ? perPressure : 0, pressure_.span(), increase_.span()});
                     if (warmStart_) push(W, liquid, near, walls, liquid.predicted);
-                    liquid.ghosts().copy({placesOf(liquid.predicted)}, GhostsOf::lists);
                 }
-                forEach(liquid.owned(), DensityStep<Kernel>
+                NeighbourLoop(liquid, {placesOf(liquid.predicted)}, {valuesOf(liquid.position)}).forEach(DensityStep<Kernel>
                 {
                     {W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view(liquid)},
                     {liquid.predicted.span(), liquid.position.span()}, perPressure, start_.span(), factor_.span(),
@@ -229,19 +228,18 @@ public:
     void correctVelocities(Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
     {
         if (liquid.isEmpty()) return;
-        liquid.ghosts().copy({valuesOf(liquid.position), valuesOf(liquid.velocity)}, GhostsOf::lists);
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                prepare(W, liquid, near, walls);
+                prepare(W, {valuesOf(liquid.position)}, liquid, near, walls);
                 change_.resizeDiscarding(liquid.owned());
                 forEach(liquid.owned(), WarmStart{warmStart_ ? 1.0f : 0.0f, velocityPotential_.span(), increase_.span()});
-                if (warmStart_) pushVelocities(W, liquid, near, walls);
+                if (warmStart_) push(W, liquid, near, walls, liquid.velocity);
                 const scalar inSupport = 4 * kernels::pi / 3 * W.h * W.h * W.h / liquid.particleVolume();
                 for (int made = 0; made < divergenceControls_.maxIterations; ++made)
                 {
-                    forEach(liquid.owned(), DivergenceStep<Kernel>
+                    NeighbourLoop(liquid, {valuesOf(liquid.velocity)}, {valuesOf(liquid.position)}).forEach(DivergenceStep<Kernel>
                     {
                         {W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view(liquid)},
                         {liquid.velocity.span()}, inSupport - 1, inSupport, dt_, factor_.span(), change_.span(),
@@ -249,7 +247,7 @@ public:
                     });
                     const bool looks = made >= divergenceControls_.minIterations && divergenceControls_.tolerance > 0;
                     if (looks && averageChange(liquid) <= divergenceControls_.tolerance) break;
-                    pushVelocities(W, liquid, near, walls);
+                    push(W, liquid, near, walls, liquid.velocity);
                 }
             },
             liquid.kernel()
@@ -258,19 +256,20 @@ public:
 
     std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override
     {
-        return Columns{iterations_ == 0 ? valuesOf(liquid.position) : placesOf(liquid.predicted)};
+        return iterations_ == 0 ? Columns{valuesOf(liquid.position)} : Columns{};
     }
     int iterations() const override { return iterations_; }
     double mostCompression() const override { return mostTakenOutAtOnce; }
     const Buffer<scalar>* keepPressure() override { return &pressure_; }
 
 private:
+    // moved: positions, where they are not declared of the verb.
     template<class Kernel>
-    void prepare(const Kernel& W, const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
+    void prepare(const Kernel& W, NeighbourLoop::Reads moved, const Liquid& liquid, const Neighbourhood& near, const Walls& walls)
     {
         factor_.resizeDiscarding(liquid.all());
         increase_.resizeDiscarding(liquid.all());
-        forEach(liquid.owned(), Factor<Kernel>
+        NeighbourLoop(liquid, moved).forEach(Factor<Kernel>
         {
             W, liquid.particleVolume(), liquid.position.span(), near.view(), walls.view(liquid), factor_.span()
         });
@@ -279,18 +278,10 @@ private:
     template<class Kernel, class Moved>
     void push(const Kernel& W, const Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Moved>& moved)
     {
-        liquid.ghosts().copy({valuesOf(increase_)}, GhostsOf::lists);
-        forEach(liquid.owned(), PushApart<Kernel, SumOfBoth, Moved>
+        NeighbourLoop(liquid, {valuesOf(increase_)}, {valuesOf(liquid.position)}).forEach(PushApart<Kernel, SumOfBoth, Moved>
         {
             W, liquid.particleVolume(), {increase_.span()}, liquid.position.span(), near.view(), walls.view(liquid), moved.span()
         });
-    }
-
-    template<class Kernel>
-    void pushVelocities(const Kernel& W, Liquid& liquid, const Neighbourhood& near, const Walls& walls)
-    {
-        push(W, liquid, near, walls, liquid.velocity);
-        liquid.ghosts().copy({valuesOf(liquid.velocity)}, GhostsOf::lists);
     }
 
     double averageChange(const Liquid& liquid)

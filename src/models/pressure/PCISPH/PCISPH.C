@@ -20,6 +20,7 @@
 #include "models/pressure/shared/PressureControls.H"
 #include "models/pressure/shared/PressureField.H"
 #include "models/pressure/shared/PushApart.H"
+#include "particles/NeighbourLoop.H"
 
 namespace shizuku
 {
@@ -63,13 +64,11 @@ public:
         if (iterations_ >= controls_.maxIterations || liquid.isEmpty()) return true;
         const scalar perPressure = dt_ * dt_ / liquid.restDensity();
         increase_.resizeDiscarding(liquid.all());
-        liquid.ghosts().copyDeclared();
         computeDensity(liquid, near, walls);
         forEach(liquid.owned(), RaiseByDensity
         {
             1 / (2 * perPressure * squares_), perPressure, liquid.density.span(), pressure_.span(), increase_.span()
         });
-        liquid.ghosts().copy({valuesOf(increase_)}, GhostsOf::lists);
         return !compression_.wantsAnother(liquid, controls_, iterations_);
     }
 
@@ -80,7 +79,7 @@ public:
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                forEach(liquid.owned(), PushApart<Kernel, SumOfBoth>
+                NeighbourLoop(liquid, {valuesOf(increase_)}, {valuesOf(liquid.position)}).forEach(PushApart<Kernel, SumOfBoth>
                 {
                     W, liquid.particleVolume(), {increase_.span()}, liquid.position.span(), near.view(), walls.view(liquid),
                     liquid.predicted.span()

@@ -340,7 +340,6 @@ void CoarseCorrection::apply(Liquid& liquid)
     forEach(box_.cells(), GradientOfCells{box_, poisson_.solution(), ofCells_.span()});
     forEach(box_.nodes(), GradientOfNodes{box_, fill_.span(), ofCells_.span(), ofNodes_.span(), known_.span()});
     forEach(liquid.owned(), MoveApart{box_, farthest * liquid.spacing(), ofNodes_.span(), known_.span(), liquid.predicted.span()});
-    liquid.ghosts().copy({placesOf(liquid.predicted)}, GhostsOf::lists);
 }
 
 }

@@ -47,6 +47,7 @@
 #include "models/pressure/shared/PressureControls.H"
 #include "models/pressure/shared/PressureField.H"
 #include "models/pressure/shared/SteadyIterations.H"
+#include "particles/NeighbourLoop.H"
 
 #include <algorithm>
 #include <cmath>
@@ -227,7 +228,7 @@ public:
     {
         ++iterations_;
         if (coarse_ && iterations_ == 1) coarse_->begin(liquid, walls, surface_);
-        if (coarse_ && iterations_ <= (limits_.maxIterations + 1) / 2) coarse_->apply(liquid);
+        if (usesCoarseGrid()) coarse_->apply(liquid);
         if (alongSurfaces_) displaceFirstOrOther(liquid, near, walls, tangential());
         else displaceFirstOrOther(liquid, near, walls, NoTangentialGradient{});
     }
@@ -268,6 +269,9 @@ public:
     const Buffer<scalar>* keepPressure() override { return &pressure_; }
 
 private:
+    // In this iteration, beside the pressure.
+    bool usesCoarseGrid() const { return coarse_ && iterations_ <= (limits_.maxIterations + 1) / 2; }
+
     // dt over the capillary one; 0 without a tension, which leaves a surface that bears no suction.
     scalar capillarySteps(scalar dt) const { return surface_.suction() > 0 ? dt / capillaryStep_ : 0; }
 
@@ -285,14 +289,14 @@ private:
             [&]<class Kernel>(const Kernel& W)
             {
                 const scalar V = liquid.particleVolume();
-                liquid.ghosts().forEachTeam(liquid.owned(), RaisePressure<Kernel, Stress, Tangential>
+                NeighbourLoop(liquid, {}, {placesOf(liquid.predicted)}).forEachTeam(RaisePressure<Kernel, Stress, Tangential>
                 {
                     .W = W, .volume = V, .densityVolume = V / liquid.latticeSum(), .ordering = ordering_, .relaxation = controls_.relaxation,
                     .epsilon = controls_.epsilon, .perPressure = dt_ * dt_ / liquid.restDensity(), .x = liquid.predicted.span(), .near = near.view(),
                     .walls = {extended_->view(), W.h, walls.view(liquid), edges_.view()}, .surface = surface_.view(), .plane = {plane_.span(), W.h},
                     .pressure = std::as_const(pressure_).span(), .density = liquid.density.span(), .push = push_.span(), .order = order_.span(),
                     .stress = stress, .tangential = tangential
-                }, {}, made);
+                }, made);
             },
             liquid.kernel()
         );
@@ -319,12 +323,12 @@ private:
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                liquid.ghosts().forEachTeam(liquid.owned(), Displace<Kernel, Stress, Tangential>
+                NeighbourLoop(liquid, {when(usesCoarseGrid(), placesOf(liquid.predicted))}, {placesOf(liquid.predicted)}).forEachTeam(Displace<Kernel, Stress, Tangential>
                 {
                     .W = W, .volume = liquid.particleVolume(), .perPressure = dt_ * dt_ / liquid.restDensity(), .x = std::as_const(liquid.predicted).span(),
                     .near = near.view(), .moved = push_.span(), .pushIsInternal = oneAngle_, .order = std::as_const(order_).span(),
                     .stop = walls.stop(liquid), .pressure = pressure_.span(), .total = total_.span(), .stress = stress, .tangential = tangential
-                }, {}, made);
+                }, made);
             },
             liquid.kernel()
         );

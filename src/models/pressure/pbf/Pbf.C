@@ -21,6 +21,7 @@
 #include "models/pressure/shared/AddPressure.H"
 #include "models/pressure/shared/AverageCompression.H"
 #include "models/pressure/shared/PressureControls.H"
+#include "particles/NeighbourLoop.H"
 
 namespace shizuku
 {
@@ -116,13 +117,12 @@ public:
     {
         if (iterations_ >= controls_.maxIterations || liquid.isEmpty()) return true;
         if (pressure_ && iterations_ == 0) pressure_->setZero();
-        liquid.ghosts().copyDeclared();
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
                 const scalar V = liquid.particleVolume();
-                forEach(liquid.owned(), Multiplier<Kernel>
+                NeighbourLoop(liquid).forEach(Multiplier<Kernel>
                 {
                     W, V, V / liquid.latticeSum(), controls_.epsilon, selfGradient_, unilateral_,
                     liquid.predicted.span(), near.view(), walls.view(liquid), liquid.density.span(), multiplier_.span()
@@ -130,7 +130,6 @@ public:
             },
             liquid.kernel()
         );
-        liquid.ghosts().copy({valuesOf(multiplier_)}, GhostsOf::lists);
         return !compression_.wantsAnother(liquid, controls_, iterations_);
     }
 
@@ -142,7 +141,7 @@ public:
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                forEach(liquid.owned(), Correction<Kernel>
+                NeighbourLoop(liquid, {valuesOf(multiplier_)}, {placesOf(liquid.predicted)}).forEach(Correction<Kernel>
                 {
                     W, liquid.particleVolume(), controls_.relaxation, liquid.predicted.span(), near.view(), walls.view(liquid),
                     multiplier_.span(), corrected_.span()

@@ -14,6 +14,7 @@
 
 #include "models/density/Density.H"
 #include "models/surfaceTension/SurfaceTension.H"
+#include "particles/NeighbourLoop.H"
 
 namespace shizuku
 {
@@ -81,8 +82,7 @@ public:
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
         computePredictedDensity(liquid, near, walls, density_);
-        liquid.ghosts().copy({valuesOf(density_)}, GhostsOf::lists);
-        forEach(liquid.owned(), ColourForce
+        NeighbourLoop(liquid, {valuesOf(density_)}, {placesOf(liquid.predicted)}).forEach(ColourForce
         {
             W_, liquid.particleVolume(), sigma_, liquid.restDensity(), least_, liquid.predicted.span(),
             density_.span(), near.view(), acceleration.span()

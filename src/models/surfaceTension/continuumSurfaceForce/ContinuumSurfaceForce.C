@@ -35,6 +35,7 @@
 #include "models/surfaceTension/continuumSurfaceForce/SurfaceLayer.H"
 #include "models/surfaceTension/surfaceCurvature/CurvatureTension.H"
 #include "models/surfaceTension/surfaceCurvature/PairCurvature.H"
+#include "particles/NeighbourLoop.H"
 
 namespace shizuku
 {
@@ -111,8 +112,7 @@ private:
             sums_.upload(tabulateSurfaceLayer(W, liquid.spacing(), most));
             parts_.upload(tabulateDeeperPart(W));
         }
-        liquid.ghosts().copy({valuesOf(surface_.particles(), field.curvature)}, GhostsOf::lists);
-        forEachTeam(surface_.particles(), Force
+        NeighbourLoop(liquid, {valuesOf(surface_.particles(), field.curvature)}, {valuesOf(surface_.particles(), field.normal)}).forEachTeam(surface_.particles(), Force
         {
             W, {sums_.span(), parts_.span(), most}, sigma_, liquid.restDensity(), surface_.steepest(),
             followed(), near.view(), surface_.view(), field.normal.span(), field.curvature.span(), surface_.gradient(), target

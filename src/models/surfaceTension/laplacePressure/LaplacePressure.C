@@ -41,6 +41,7 @@
 #include "models/density/OrderStress.H"
 #include "models/surfaceTension/surfaceCurvature/CurvatureTension.H"
 #include "models/surfaceTension/surfaceCurvature/RegressedCurvature.H"
+#include "particles/NeighbourLoop.H"
 #include "walls/HalfSpace.H"
 
 namespace shizuku
@@ -313,7 +314,10 @@ private:
             (
                 [&]<class Kernel>(const Kernel& W)
                 {
-                    forEachTeam(surface_.particles(), RemoveOrderStress<Kernel>
+                    NeighbourLoop
+                    (
+                        liquid, {}, {placesOf(liquid.predicted), valuesOf(surface_.particles(), field.normal), valuesOf(surface_.particles(), taken_)}
+                    ).forEachTeam(surface_.particles(), RemoveOrderStress<Kernel>
                     {
                         W, liquid.particleVolume(), liquid.predicted.span(), near.view(), view, field.normal.span(), taken_.span(), addCurvature
                     });
@@ -323,7 +327,6 @@ private:
         }
         else forEach(surface_.particles(), addCurvature);
         taken_ = {};
-        liquid.ghosts().copy({valuesOf(surface_.particles(), deficiency_)}, GhostsOf::lists);
         const Push push{liquid.restDensity(), view, std::as_const(deficiency_).span(), surface_.gradient(), target};
         if (!semiImplicit_.isNeeded(step())) findJump(liquid, near, field, push);
         else
@@ -338,11 +341,14 @@ private:
     }
 
     template<class Take>
-    void findJump(const Liquid& liquid, const Neighbourhood& near, const CurvatureField& field, const Take& take)
+    void findJump(const Liquid& liquid, const Neighbourhood& near, CurvatureField& field, const Take& take)
     {
-        forEachTeam(surface_.particles(), FindJump<Take>
+        NeighbourLoop
+        (
+            liquid, {valuesOf(surface_.particles(), deficiency_)}, {surface_.positions(), valuesOf(surface_.particles(), field.normal)}
+        ).forEachTeam(surface_.particles(), FindJump<Take>
         {
-            surface_.kernel(), sigma_, liquid.spacing(), followed(), near.view(), surface_.view(), field.normal.span(), std::as_const(deficiency_).span(), take
+            surface_.kernel(), sigma_, liquid.spacing(), followed(), near.view(), surface_.view(), std::as_const(field.normal).span(), std::as_const(deficiency_).span(), take
         });
     }
 
@@ -353,7 +359,7 @@ private:
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                forEachTeam(surface_.particles(), MeasureDeficiency<Kernel, Stress>
+                NeighbourLoop(liquid, {}, {placesOf(liquid.predicted)}).forEachTeam(surface_.particles(), MeasureDeficiency<Kernel, Stress>
                 {
                     W, liquid.particleVolume(), liquid.particleVolume() / liquid.latticeSum(), liquid.spacing(), surface_.agreed().ordering,
                     liquid.predicted.span(), near.view(), {extended_->view(), W.h, walls.view(liquid), edges_.view()}, surface_.view(),

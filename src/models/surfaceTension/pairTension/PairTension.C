@@ -3,6 +3,7 @@
 
 #include "maths/CohesionSpline.H"
 #include "models/density/Density.H"
+#include "particles/NeighbourLoop.H"
 
 namespace shizuku
 {
@@ -110,12 +111,11 @@ PairTension::PairTension(const Dictionary& coeffs, Liquid& liquid, WallNormals w
 void PairTension::apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration)
 {
     computePredictedDensity(liquid, near, walls, density_);
-    liquid.ghosts().copy({valuesOf(density_)}, GhostsOf::lists);
     std::visit
     (
         [&]<class Kernel>(const Kernel& W)
         {
-            forEach(liquid.owned(), Normal<Kernel>
+            NeighbourLoop(liquid, {valuesOf(density_)}, {placesOf(liquid.predicted)}).forEach(Normal<Kernel>
             {
                 W, liquid.particleVolume(), wallNormals_ == WallNormals::yes, liquid.predicted.span(),
                 density_.span(), near.view(), walls.view(liquid), normal_.span()
@@ -123,8 +123,7 @@ void PairTension::apply(Liquid& liquid, const Neighbourhood& near, const Walls& 
         },
         liquid.kernel()
     );
-    liquid.ghosts().copy({valuesOf(normal_)}, GhostsOf::lists);
-    forEach(liquid.owned(), AddPairTension
+    NeighbourLoop(liquid, {valuesOf(normal_)}, {placesOf(liquid.predicted), valuesOf(density_)}).forEach(AddPairTension
     {
         {liquid.support()}, coefficients_.cohesion * liquid.particleMass(), coefficients_.area,
         liquid.predicted.span(), normal_.span(), density_.span(), near.view(), acceleration.span()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/surfaceTension/surfaceCurvature/CurvatureAtStart.H"
 
+#include "particles/NeighbourLoop.H"
+
 #include <utility>
 
 namespace shizuku
@@ -84,8 +86,7 @@ void CurvatureAtStart::bring(CurvatureField& field, const Liquid& liquid, const 
     {
         view, field.normal.span(), field.curvature.span(), std::as_const(before_).span(), now_.span(), change.span()
     });
-    liquid.ghosts().copy({valuesOf(surface.particles(), change)}, GhostsOf::lists);
-    forEachTeam(surface.particles(), TakeBack
+    NeighbourLoop(liquid, {valuesOf(surface.particles(), change)}, {valuesOf(surface.particles(), field.normal)}).forEachTeam(surface.particles(), TakeBack
     {
         surface.kernel(), near.view(), view, field.normal.span(), change.span(), share, field.curvature.span()
     });

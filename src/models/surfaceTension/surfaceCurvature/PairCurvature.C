@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/surfaceTension/surfaceCurvature/PairCurvature.H"
 
+#include "particles/NeighbourLoop.H"
+
 namespace shizuku
 {
 
@@ -107,11 +109,13 @@ PairCurvature::PairCurvature(const Dictionary& coeffs, const Liquid& liquid, Fre
 CurvatureField PairCurvature::normals(const Liquid& liquid, const Neighbourhood& near, const Walls&)
 {
     CurvatureField field = makeField();
-    liquid.ghosts().copy({surface_.positions(), surface_.gradients()});
-    asShared(near.wide(liquid, surface_.particles(), surface_.position()), [&]<class Search>(const Search& among)
+    NeighbourLoop(liquid, {surface_.positions(), surface_.gradients()}).run([&]
     {
-        forEachGroup(surface_.particles(), SmoothNormal<Search>{surface_.kernel(), surface_.steepest(), surface_.view(), among, field.normal.span()});
-    });
+        asShared(near.wide(liquid, surface_.particles(), surface_.position()), [&]<class Search>(const Search& among)
+        {
+            forEachGroup(surface_.particles(), SmoothNormal<Search>{surface_.kernel(), surface_.steepest(), surface_.view(), among, field.normal.span()});
+        });
+    }, GhostsOf::all);
     return field;
 }
 

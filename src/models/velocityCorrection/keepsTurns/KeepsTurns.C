@@ -16,6 +16,7 @@
 #include "device/ForEach.H"
 #include "device/Holds.H"
 #include "models/velocityCorrection/VelocityCorrection.H"
+#include "particles/NeighbourLoop.H"
 
 #include <utility>
 #include <variant>
@@ -93,7 +94,7 @@ public:
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls&, scalar dt) override
     {
         Buffer<Vec3> turn(liquid.all());
-        liquid.ghosts().forEachOwned(liquid.owned(), FindTurn
+        NeighbourLoop(liquid).forEachOwned(FindTurn
         {
             dt, std::as_const(way_).span(), std::as_const(liquid.velocity).span(), before_.span(), turn.span()
         }, {valuesOf(turn)});
@@ -101,7 +102,7 @@ public:
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                forEachTeam(liquid.owned(), TakeBackTurn<Kernel>
+                NeighbourLoop(liquid, {}, {valuesOf(liquid.position), valuesOf(turn)}).forEachTeam(TakeBackTurn<Kernel>
                 {
                     W, liquid.particleVolume(), dt, std::as_const(liquid.position).span(), near.view(), std::as_const(turn).span(),
                     liquid.velocity.span()

@@ -19,6 +19,7 @@
 
 #include "models/smoothing/SmoothingControls.H"
 #include "models/viscosity/Viscosity.H"
+#include "particles/NeighbourLoop.H"
 
 namespace shizuku
 {
@@ -73,7 +74,7 @@ public:
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                liquid.ghosts().forEachTeam(liquid.owned(), Smooth<Kernel>
+                NeighbourLoop(liquid).forEachTeam(Smooth<Kernel>
                 {
                     W, controls_.share(dt), liquid.particleVolume(), liquid.position.span(), liquid.velocity.span(), near.view(), noSlip_,
                     controls_.slipAbove(), walls.view(liquid), smoothed.span()

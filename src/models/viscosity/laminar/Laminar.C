@@ -11,6 +11,7 @@
 //     laminarCoeffs  { noSlip yes; }
 
 #include "models/viscosity/Viscosity.H"
+#include "particles/NeighbourLoop.H"
 
 namespace shizuku
 {
@@ -65,12 +66,11 @@ public:
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
         diffused_.resizeDiscarding(liquid.all());
-        liquid.ghosts().copyDeclared();
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
-                forEach(liquid.owned(), Diffuse<Kernel>
+                NeighbourLoop(liquid).forEach(Diffuse<Kernel>
                 {
                     W, nu_ * dt, liquid.particleVolume(), noSlip_, liquid.position.span(), liquid.velocity.span(),
                     near.view(), walls.view(liquid), diffused_.span()

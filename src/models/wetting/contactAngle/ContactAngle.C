@@ -14,6 +14,7 @@
 
 #include "maths/CohesionSpline.H"
 #include "models/wetting/Wetting.H"
+#include "particles/NeighbourLoop.H"
 
 namespace shizuku
 {
@@ -114,14 +115,13 @@ public:
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, Buffer<Vec3>& acceleration) override
     {
         if (walls.particles() + walls.surfaces() == 0) return;
-        liquid.ghosts().copyDeclared(GhostsOf::all);
         std::visit
         (
             [&]<class Kernel>(const Kernel& W)
             {
                 using Normal = SolidNormal<Kernel>;
                 const auto choice = solidNormal_ == "wall" ? Normal::wall : solidNormal_ == "SPH" ? Normal::sph : Normal::zero;
-                forEach(liquid.owned(), WallPairForce<Kernel>
+                NeighbourLoop(liquid, {}, {placesOf(liquid.predicted)}).forEach(WallPairForce<Kernel>
                 {
                     {liquid.support()}, gamma_, liquid.restDensity(), liquid.spacing(),
                     {
@@ -129,7 +129,7 @@ public:
                         liquid.position.span(), made_.density.span()
                     },
                     liquid.predicted.span(), made_.normal.span(), made_.density.span(), walls.view(liquid), acceleration.span()
-                });
+                }, GhostsOf::all);
             },
             liquid.kernel()
         );

@@ -85,15 +85,16 @@ TEST(LaplacePressure, FollowsDisorderBetweenItsBounds)
         return tensionOf(drop, *tension, points);
     };
     const auto least = forces(0), lower = forces(-1), most = forces(100);
-    int pulled = 0;
+    scalar smallest = 10, largest = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         ASSERT_EQ(norm(least[i] - lower[i]), 0);
         if (norm(least[i]) == 0) continue;
-        ++pulled;
-        ASSERT_NEAR(norm(most[i]) / norm(least[i]), 1.3 / 1.03, 1e-5);      // single precision
+        smallest = std::min(smallest, norm(most[i]) / norm(least[i]));      // 1 where a particle misses less than a plane
+        largest = std::max(largest, norm(most[i]) / norm(least[i]));
     }
-    EXPECT_GT(pulled, 500);                 // of 1,600, those within reach of the surface
+    EXPECT_NEAR(smallest, 1, 1e-5);                 // single precision
+    EXPECT_NEAR(largest, 1.3 / 1.03, 1e-5);
 }
 
 // A ball that is cut out of a lattice of as many particles a volume, drawn out along x: what its order bears there is not what it bears across, and a
@@ -112,7 +113,7 @@ TEST(LaplacePressure, FollowsNoStressThatThePressureTakesOut)
     {
         LiquidCase drop;
         const auto tension = makeLaplacePressure(drop);
-        drop.surface.agreed().ordering = 1.2f;
+        drop.surface.agreed().ordering = 2;             // so that R is within its bounds
         drop.surface.agreed().orderRemoved = scalar(removed);
         const auto force = tensionOf(drop, *tension, points);
         double ends = 0, waist = 0;
