@@ -47,7 +47,7 @@ std::vector<std::string> WallEntries::readNames(const std::filesystem::path& cas
 
 WallEntries WallEntries::read(const std::filesystem::path& casePath)
 {
-    WallEntries entries{readNames(casePath), {}, {}};
+    WallEntries entries{readNames(casePath), {}, {}, {}};
     if (entries.names.empty()) return entries;
     const Dictionary walls = Dictionary::read(casePath/"constant/walls");
     for (const AnalyticSurface& surface : readAnalyticSurfaces(walls))
@@ -55,6 +55,7 @@ WallEntries WallEntries::read(const std::filesystem::path& casePath)
         const auto name = std::find(entries.names.begin(), entries.names.end(), surface.name);
         const int faces = surface.type == AnalyticSurface::Type::box ? 6 : 1;
         entries.ofSurface.insert(entries.ofSurface.end(), faces, std::uint32_t(name - entries.names.begin()));
+        entries.radius.insert(entries.radius.end(), faces, surface.radius);
     }
     std::vector<std::string> sampled;
     for (const std::string& name : entries.names) if (walls.subDict(name).lookup<std::string>("type") == "particles") sampled.push_back(name);

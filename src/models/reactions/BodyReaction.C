@@ -103,6 +103,24 @@ struct StressOf
     }
 };
 
+struct LossAt
+{
+    Span<const Position> position;
+    Span<const Vec3> loss;
+
+    HOST_DEVICE Reaction operator()(int i) const
+    {
+        const Vec3 u = loss[i];
+        return squared(u) > 0 ? reactionOf(placeOf(position[i]), u.x, u.y, u.z) : Reaction{};
+    }
+};
+
+ReactionValue taken(Accumulator<Reaction>& sums, const Liquid& liquid)
+{
+    sums.ask();
+    return ReactionValue(liquid.parts().fold(sums.take()));
+}
+
 BodyWeight weightOf(const Liquid& liquid, const Walls& walls, int own)
 {
     return {walls.view(liquid).surfaces, own, BodyReaction::width * liquid.spacing()};
@@ -112,7 +130,6 @@ BodyWeight weightOf(const Liquid& liquid, const Walls& walls, int own)
 
 void BodyReaction::begin(const Liquid& liquid, const Walls& walls, const std::array<double, 3>& g)
 {
-    radius_ = walls.view(liquid).surfaces[surface_].radius;
     weight_.resizeDiscarding(liquid.owned());
     alone_.resizeDiscarding(liquid.owned());
     forEach(liquid.owned(), NoteWeight{weightOf(liquid, walls, surface_), liquid.position.span(), weight_.span(), alone_.span()});
@@ -135,20 +152,22 @@ void BodyReaction::end(const Liquid& liquid, const Walls& walls, const FreeSurfa
     });
 }
 
+void BodyReaction::rubbed(const Liquid& liquid, Span<const Vec3> loss)
+{
+    friction_.add(liquid.owned(), LossAt{liquid.position.span(), loss});
+}
+
+ReactionValue BodyReaction::takeFriction(const Liquid& liquid) { return taken(friction_, liquid); }
+
 ReactionValue BodyReaction::take(const Liquid& liquid)
 {
-    const auto taken = [&](Accumulator<Reaction>& sums)
-    {
-        sums.ask();
-        return ReactionValue(liquid.parts().fold(sums.take()));
-    };
     // The weight of a shell of liquid all around: int_0^1 w(t) 4 pi (R + t W)^2 W dt, in particles.
-    const double R = radius_ / liquid.spacing(), W = width;
+    const double R = radius_ / liquid.properties().spacing, W = width;
     const double whole = 4 * std::numbers::pi * W * (R * R / 2 + 0.3 * R * W + W * W / 15);
-    ReactionValue sum = taken(before_);
+    ReactionValue sum = taken(before_, liquid);
     sum.share /= whole;
-    sum.add(taken(pressed_), -1);
-    sum.add(taken(stress_), 1);
+    sum.add(taken(pressed_, liquid), -1);
+    sum.add(taken(stress_, liquid), 1);
     return sum;
 }
 

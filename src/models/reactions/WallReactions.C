@@ -119,7 +119,7 @@ WallReactions::WallReactions(const std::filesystem::path& casePath, const Liquid
     ofSurface_.upload(entries_.ofSurface);
     ofParticle_.upload(entries_.ofParticle);
     if (!walls.freeBody()) return;
-    body_.emplace(walls.surfaceOfBody());
+    body_.emplace(walls.surfaceOfBody(), entries_.radius[walls.surfaceOfBody()]);
     bodyEntry_ = entries_.ofSurface[walls.surfaceOfBody()];
 }
 
@@ -138,7 +138,9 @@ void WallReactions::begin(const Liquid& liquid, const Walls& walls, const Models
     const auto scaled = [&](double a) { return double(dt) * liquid.units().toScaled(a, dimensions::acceleration); };
     const std::array<double, 3> gravity{scaled(g[0]), scaled(g[1]), scaled(g[2])};
     before_.add(liquid.owned(), MomentumOf{liquid.position.span(), liquid.velocity.span(), {gravity[0], gravity[1], gravity[2]}});
-    if (body_) body_->begin(liquid, walls, gravity);
+    if (!body_) return;
+    body_->begin(liquid, walls, gravity);
+    frictionOnBody_ = models.viscosity->keepFriction(entries_.names[bodyEntry_]);
 }
 
 void WallReactions::pressed(const Liquid& liquid)
@@ -174,7 +176,9 @@ void WallReactions::end(const Liquid& liquid, const Walls& walls, const Models& 
         estimate.wall = std::uint32_t(wall);
         estimates_[wall].add(liquid.owned(), estimate);
     }
-    if (body_) body_->end(liquid, walls, *models.freeSurface, estimate.pressure, dt);
+    if (!body_) return;
+    body_->end(liquid, walls, *models.freeSurface, estimate.pressure, dt);
+    if (frictionOnBody_) body_->rubbed(liquid, frictionOnBody_->span());
 }
 
 void WallReactions::addTo(Liquid& liquid)
@@ -204,6 +208,15 @@ void WallReactions::addTo(Liquid& liquid)
     if (body_)
     {
         std::array<ReactionValue, parts>& body = walls[bodyEntry_];
+        if (rubbed > body[friction].share && frictionOnBody_)
+        {
+            ReactionValue more = body_->takeFriction(liquid);
+            more.add(body[friction], -1);
+            rubbed -= body[friction].share;
+            body[friction].share = 0;
+            body[friction].add(more, 1);
+            restOfFriction.add(more, -1);
+        }
         ReactionValue more = body_->take(liquid);
         liquid.setNumber(wetted(entries_.names[bodyEntry_]), std::min(more.share, 1.0));
         more.add(body[pressure], -1);

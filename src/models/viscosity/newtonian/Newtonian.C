@@ -37,9 +37,11 @@
 #include "models/viscosity/Viscosity.H"
 #include "models/viscosity/newtonian/Dissipation.H"
 #include "models/viscosity/newtonian/ExplicitStep.H"
+#include "models/viscosity/newtonian/FrictionOnBody.H"
 #include "models/viscosity/newtonian/GoByVelocity.H"
 #include "models/viscosity/newtonian/ImplicitStep.H"
 
+#include <optional>
 #include <utility>
 
 namespace shizuku
@@ -84,8 +86,16 @@ public:
     std::optional<Columns> readsOfNeighbours(Liquid& liquid) const override { return Columns{valuesOf(liquid.position), valuesOf(liquid.velocity)}; }
     bool holdsAtWalls() const override { return friction_.holds(); }
 
+    const Buffer<Vec3>* keepFriction(const std::string& wall) override
+    {
+        if (!friction_.holds()) return nullptr;
+        if (!onBody_) onBody_.emplace(wall);
+        return &onBody_->loss();
+    }
+
     void apply(Liquid& liquid, const Neighbourhood& near, const Walls& walls, scalar dt) override
     {
+        if (onBody_) onBody_->clear(liquid);
         const scalar share = noise_.share(dt);
         if (liquid.isEmpty() || (nu_ == 0 && share == 0)) return;
         const scalar ofNoise = share / (2 * dt * weights_), ofWalls = std::max(share - 2 * dt * weights_ * nu_, scalar(0));
@@ -98,14 +108,24 @@ public:
             {
                 const ViscousStep<Kernel> step{W, liquid, std::as_const(liquid.position).span(), near.view(), walls, dt};
                 StressOfStep stress(liquid, !atOnce);
-                if (atOnce || share > 0) stepExplicitly(step, stress, first, ofWalls * atWalls_, atOnce && nu_ > 0 && friction_.acts(walls), friction_);
+                const bool holds = nu_ > 0 && friction_.acts(walls);
+                const auto take = [&](const ViscousStep<Kernel>& at, bool held, const auto& change)
+                {
+                    if (onBody_ && held) onBody_->addOf(at, friction_, change);
+                    else change();
+                };
+                const auto explicitly = [&](const ViscousStep<Kernel>& at, Viscosities viscosities, scalar noiseAtWalls, bool held)
+                {
+                    take(at, held, [&] { stepExplicitly(at, stress, viscosities, noiseAtWalls, held, friction_); });
+                };
+                if (atOnce || share > 0) explicitly(step, first, ofWalls * atWalls_, atOnce && holds);
                 if (atOnce) return;
                 goByVelocity(liquid, dt, [&]
                 {
-                    if (solved) return stepImplicitly(step, stress, nu_, friction_, solver_);
+                    if (solved) return take(step, holds, [&] { stepImplicitly(step, stress, nu_, friction_, solver_); });
                     ViscousStep<Kernel> half = step;
                     half.dt = dt / 2;
-                    for (int n = 0; n < 2; ++n) stepExplicitly(half, stress, {nu_, nu_}, 0, friction_.acts(walls), friction_);
+                    for (int n = 0; n < 2; ++n) explicitly(half, {nu_, nu_}, 0, holds);
                 });
             },
             liquid.kernel()
@@ -132,6 +152,7 @@ private:
     scalar atWalls_;
     scalar nu_;                                         // scaled
     WallFriction friction_;
+    std::optional<FrictionOnBody> onBody_;              // where it is asked for
     ConjugateGradients solver_;
     scalar weights_;
 };

@@ -5,6 +5,7 @@
 #include "support/MotionSums.H"
 
 #include <cmath>
+#include <numbers>
 
 using namespace shizuku;
 using namespace shizuku::test;
@@ -30,6 +31,40 @@ CaseText betweenPlates(bool sampled, double nu)
     text.solidTheta.assign(text.solidPositions.size(), 60);
     return text;
 }
+
+// A ball that the liquid moves. middle: as text, m; omega: rad/s, about z.
+std::string ballThatTurns(const std::string& middle, double radius, double omega)
+{
+    return "ball { type sphere; centre " + middle + "; radius " + std::to_string(radius) + "; liquid outside; motion { type sixDoF; mass 1; momentOfInertia 1; centreOfMass " + middle
+        + "; omega (0 0 " + std::to_string(omega) + "); } }";
+}
+
+CaseText bodyIn(const std::string& others, const std::string& ball, const std::string& nu)
+{
+    return {.liquidProperties = "rho 1000; nu " + nu + "; sigma 0.072;", .walls = others + ball};
+}
+
+// A step of the viscosity alone, without what it takes as noise, and what the body got in it, particle by particle.
+struct FrictionStep
+{
+    LiquidCase flow;
+    scalar dt;
+    std::vector<Vec3> positions, before, behind, given;
+
+    FrictionStep(const CaseText& text, double seconds, const std::vector<Vec3>& points, const std::vector<Vec3>& velocities)
+    :
+        flow(text), dt(flow.liquid.units().toScaled(seconds, dimensions::time)), before(velocities)
+    {
+        flow.walls.moveTo(0, seconds);
+        flow.place(points, velocities);
+        const auto model = Viscosity::New(Dictionary::parse("viscosity newtonian; newtonianCoeffs { tolerance 1e-6; c 0; perCapillaryStep 0; }"), flow.liquid);
+        const Buffer<Vec3>* loss = model->keepFriction("ball");
+        positions = flow.inOrder(flow.liquid.position);
+        model->apply(flow.liquid, flow.near, flow.walls, dt);
+        behind = flow.inOrder(flow.liquid.velocity);
+        given = flow.inOrder(*loss);
+    }
+};
 
 struct Steps
 {
@@ -139,4 +174,79 @@ TEST(WallReactions, LeaveOutWallsThatAreFar)
     steps.reactions.addTo(steps.drop.liquid);
     for (int c = 0; c < 6; ++c) EXPECT_EQ(steps.of("ceiling", c), 0) << c;
     EXPECT_NE(steps.of("floor", 2), 0);
+}
+
+// What a body gets by friction in short steps, in steps of two halves and in solved ones is what the liquid on it loses, force and moment. Liquid on another wall gives it nothing.
+// Velocities of one have 6e-8 each, and solved ones have the tolerance of 1e-6, beside losses of a tenth and more of the momentum.
+TEST(FrictionOnBody, IsWhatItsLiquidLoses)
+{
+    const auto onBody = latticeBlock(5, 5, 3, 1, {-2, -1, 35.5f}), onFloor = latticeBlock(5, 5, 3, 1, {-2, -2, 0.5f});
+    auto points = onBody;
+    points.insert(points.end(), onFloor.begin(), onFloor.end());
+    const auto velocities = randomPoints(int(points.size()), {0, -1, -1}, {2, 1, 1});
+    const auto first = [&](const std::vector<Vec3>& all) { return std::vector<Vec3>(all.begin(), all.begin() + onBody.size()); };
+    for (const double seconds : {2e-5, 4e-4, 2e-2})
+    {
+        const FrictionStep step(bodyIn(floorPlane, ballThatTurns("(0 0 0.03)", 5e-3, 10), "1e-4"), seconds, points, velocities);
+        const auto x = first(step.positions);
+        const MotionSums given = motionOf(x, first(step.given)), before = motionOf(x, first(velocities)), behind = motionOf(x, first(step.behind));
+        const double most = std::abs(given.momentum[0]);
+        EXPECT_GT(most, 0.01 * before.momentum[0]) << seconds;
+        for (int c = 0; c < 3; ++c)
+        {
+            EXPECT_NEAR(given.momentum[c], before.momentum[c] - behind.momentum[c], 1e-4 * most) << seconds << c;
+            EXPECT_NEAR(given.angular[c], before.angular[c] - behind.angular[c], 1e-4 * 36 * step.flow.liquid.spacing() * most) << seconds << c;
+        }
+        for (std::size_t i = onBody.size(); i < points.size(); ++i) EXPECT_EQ(squared(step.given[i]), 0) << i;
+    }
+}
+
+// Between a sphere of four spacings and one of ten around it: the one that turns feels a moment against that, and the one at rest one along with it, of 8 pi mu omega R1^3 R2^3/(R2^3 - R1^3)
+// (Lamb 1932, article 334). One long step comes to Stokes' flow. Walls hold liquid as flat ones do: on a sphere that is (1 + s/R)^2 too much at a distance s, 27 % in the first layer here.
+TEST(FrictionOnBody, TurnsSpheresAsStokesHasIt)
+{
+    std::vector<Vec3> points;
+    for (int layer = 4; layer < 10; ++layer)
+    {
+        const int n = int(std::lround(4 * std::numbers::pi / 3 * (3 * layer * (layer + 1) + 1)));
+        for (int i = 0; i < n; ++i)
+        {
+            const double z = 1 - (2 * i + 1.0) / n, turn = i * std::numbers::pi * (3 - std::sqrt(5)) + layer, across = std::sqrt(1 - z * z), r = layer + 0.5;
+            points.push_back({scalar(r * across * std::cos(turn)), scalar(r * across * std::sin(turn)), scalar(r * z)});
+        }
+    }
+    const double seconds = 1e-2, omega = 1;                     // nu t is a hundred times R2^2
+    const double exact = 8 * std::numbers::pi * 64 * 1000 / (1000 - 64.0);
+    for (const bool own : {true, false})
+    {
+        const std::string motion = own ? "" : "motion { type rotation; origin (0 0 0); axis (0 0 1); omega 1; } ";
+        const std::string bath = "bath { type sphere; centre (0 0 0); radius 0.01; liquid inside; " + motion + "}";
+        const FrictionStep step(bodyIn(bath, ballThatTurns("(0 0 0)", 4e-3, own ? omega : 0), "1"), seconds, points, {});
+        const double nu = step.flow.liquid.units().toScaled(step.flow.liquid.properties().viscosity, dimensions::kinematicViscosity);
+        const double ratio = motionOf(step.positions, step.given).angular[2] / (nu * omega * seconds) / (own ? -exact : exact);
+        EXPECT_GT(ratio, 1) << own;
+        EXPECT_LT(ratio, 1.27) << own;
+    }
+}
+
+// Beside a floor that holds its own liquid a body gets its own friction and no other's, to rounding, and all walls together what the liquid loses.
+TEST(FrictionOnBody, IsNoShareOfOtherWalls)
+{
+    CaseText text = bodyIn(floorPlane, ballThatTurns("(0 0 0.0068)", 5e-3, 10), "1e-4");
+    text.wettability = "floor { theta 90; } ball { theta 90; }";
+    Steps steps(text, usualModels);
+    steps.drop.place(latticeBlock(8, 8, 2, 1, {-3.5f, -2.5f, 0.5f}), std::vector<Vec3>(128, {0.1f, 0, 0}));
+    const double dt = 0.3 * steps.drop.liquid.properties().capillaryStep();
+    const scalar scaled = steps.drop.liquid.units().toScaled(dt, dimensions::time);
+    steps.subStep(scaled, 0);
+    steps.reactions.addTo(steps.drop.liquid);
+    const Units& units = steps.drop.liquid.units();
+    const MotionSums given = motionOf(steps.drop.inOrder(steps.drop.liquid.position), steps.drop.inOrder(*steps.models.viscosity->keepFriction("ball")));
+    const double unit = steps.drop.liquid.properties().particleMass() * units.of(dimensions::velocity);
+    EXPECT_GT(given.momentum[0], 0);
+    for (int c = 0; c < 3; ++c)
+    {
+        EXPECT_NEAR(steps.of("ball", WallReactions::friction, c), unit * given.momentum[c], 1e-6 * unit * given.momentum[0]);
+        EXPECT_NEAR(steps.of("ball", WallReactions::friction, c + 3), unit * units.length * given.angular[c], 1e-5 * unit * units.length * given.momentum[0]);
+    }
 }
