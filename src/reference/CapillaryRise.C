@@ -43,7 +43,7 @@ std::vector<double> CapillaryRise::heights(double start, const std::vector<doubl
         const double column = immersion/radius + level;
         const double tension = (isBetweenPlates ? 1 : 2)*sigma*std::cos(radians(angleOf(*this, radius*speed)))/(rho*std::pow(radius, 3));
         const double friction = (isBetweenPlates ? 3 : 8)*nu/(radius*radius)*(column + entryFriction)*speed;
-        const double entering = entersAtRest ? speed*std::max(speed, 0.0) : 0;
+        const double entering = speed*std::max(speed, 0.0);
         change = {speed, (tension - (1 + areaRatio)*gravity/radius*level - friction - entering)/(column + entry)};
     };
     LevelAndSpeed state{start/radius, 0};

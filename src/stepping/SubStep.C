@@ -99,7 +99,7 @@ void SubStep::force(scalar dt)
 
 void SubStep::constrain(scalar dt)
 {
-    models_.rigidMotion.begin(liquid_, walls_, dt);
+    if (!isBorne()) models_.rigidMotion.begin(liquid_, walls_, dt);
     dropVelocities(liquid_);
     models_.freeSurface->dropPositions();
     walls_.project(liquid_);
@@ -117,10 +117,13 @@ void SubStep::update(scalar dt)
 {
     updateVelocities(liquid_, dt);
     models_.pressure->correctVelocities(liquid_, near_, walls_);
-    models_.rigidMotion.remove
-    (
-        liquid_, models_.pressure->displacement(), models_.forces.displacement(dt), walls_, models_.freeSurface->support(), dt
-    );
+    if (!isBorne())
+    {
+        models_.rigidMotion.remove
+        (
+            liquid_, models_.pressure->displacement(), models_.forces.displacement(dt), walls_, models_.freeSurface->support(), dt
+        );
+    }
     models_.pressure->commit();
     models_.forces.commit();
     if (reactions_) reactions_->pressed(liquid_);

@@ -58,36 +58,18 @@ TEST(CapillaryRise, OfAMovingAngleIsLate)
     EXPECT_NEAR(moving[2], still[2], 1e-4*still[2]);
 }
 
-// Computed curves of a column between plates, half a gap of 5 mm, open below at zero pressure, 10 mm high at first, that have Omega = 0.1, 0.5, 1 and 10: apexes, 0.84 mm below
-// the mean height. The equation leaves out how the profile develops and the shape of the meniscus: 6, 4, 4 and 3 % of Jurin's 20 mm. Liquid that enters at rest would miss the first
-// by 19 %.
-TEST(CapillaryRise, BetweenPlatesIsThatOfComputedCurves)
+// A computed curve of a column between plates, half a gap of 5 mm, open below, 10 mm high at first, that creeps (Omega = 10): apexes, 0.84 mm below the mean height. The equation
+// leaves out how the profile develops and the shape of the meniscus: 3 % of Jurin's 20 mm. Columns that swing differ by how liquid enters: at an end at zero pressure with its momentum.
+TEST(CapillaryRise, BetweenPlatesIsThatOfAComputedCurve)
 {
-    struct Curve
-    {
-        double sigma, rho, gravity, within;
-        std::vector<double> times, apexes;      // s, mm
-    };
-    const std::vector<Curve> curves
-    {
-        {0.2, 1663.8, 1.04, 6, {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.75, 1, 1.5, 2, 3, 4}, {9.2, 12.8, 21.3, 28.8, 31.9, 31.3, 17.2, 14.0, 25.1, 19.0, 22.4, 21.8}},
-        {0.1, 133.0, 6.51, 4, {0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.8, 1}, {9.2, 15.2, 22.9, 26.7, 26.1, 22.2, 18.2, 16.9, 20.7, 20.2, 19.0, 19.2}},
-        {0.04, 83.1, 4.17, 4, {0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6}, {9.2, 12.9, 18.3, 21.7, 22.9, 22.4, 21.1, 18.8, 18.5, 19.2}},
-        {0.01, 3.3255, 26.042, 3, {0, 0.1, 0.2, 0.3, 0.5, 0.75, 1, 2.7}, {9.2, 13.7, 16.2, 17.7, 18.6, 19.0, 19.1, 19.2}}
-    };
-    const auto rms = [](const Curve& curve, bool atRest)
-    {
-        CapillaryRise rise{5e-3, 30, curve.rho, 0.01/curve.rho, curve.sigma, curve.gravity, 0, 0, 0, 0};
-        rise.isBetweenPlates = true;
-        rise.entersAtRest = atRest;
-        EXPECT_NEAR(rise.finalHeight(), 20e-3, 0.02e-3);
-        const std::vector<double> y = rise.heights(10e-3, curve.times);
-        double squares = 0;
-        for (std::size_t i = 1; i < y.size(); ++i) squares += std::pow(1e3*y[i] - 0.84 - curve.apexes[i], 2);
-        return 100*std::sqrt(squares/double(y.size() - 1))/20;
-    };
-    for (const Curve& curve : curves) EXPECT_LT(rms(curve, false), curve.within) << "sigma " << curve.sigma;
-    EXPECT_GT(rms(curves[0], true), 15);
+    const std::vector<double> times{0, 0.1, 0.2, 0.3, 0.5, 0.75, 1, 2.7}, apexes{9.2, 13.7, 16.2, 17.7, 18.6, 19.0, 19.1, 19.2};        // s, mm
+    CapillaryRise rise{5e-3, 30, 3.3255, 0.01/3.3255, 0.01, 26.042, 0, 0, 0, 0};
+    rise.isBetweenPlates = true;
+    EXPECT_NEAR(rise.finalHeight(), 20e-3, 0.02e-3);
+    const std::vector<double> y = rise.heights(10e-3, times);
+    double squares = 0;
+    for (std::size_t i = 1; i < y.size(); ++i) squares += std::pow(1e3*y[i] - 0.84 - apexes[i], 2);
+    EXPECT_LT(100*std::sqrt(squares/double(y.size() - 1))/20, 3);
 }
 
 TEST(CapillaryRise, RefusesNoColumn)

@@ -12,7 +12,7 @@ class MovingVdb : public MovingFormat
 public:
     void write(const std::filesystem::path& file, const MovingSurface& surface) const override
     {
-        writeVdb(file, surface.mesh, surface.velocitiesAt, 0.5*surface.spacing, surface.time);
+        writeVdb(file, *surface.closed, surface.velocitiesAt, 0.5*surface.spacing, surface.time);
     }
 };
 

@@ -7,6 +7,7 @@
 // <index> counts the files from 1, as frames of a film are counted.
 
 #include "MovingFormat.H"
+#include "caseFiles/DrawnSurface.H"
 #include "caseFiles/LiquidFiles.H"
 #include "core/arguments/runApplication.H"
 #include "core/fieldFile/FieldFile.H"
@@ -121,7 +122,9 @@ void exportSurface(const Arguments& args)
         MovingSurface surface;
         surface.time = times[t].value;
         surface.spacing = spacing;
-        surface.mesh = readPly(liquidSurfaceFile(times[t].path));
+        const TriangleMesh closed = readPly(liquidSurfaceFile(times[t].path));
+        surface.closed = &closed;
+        surface.mesh = drawnSurface(closed, args.casePath());
         surface.mesh.normals.resize(surface.mesh.vertices.size());
         surface.velocities = particles.velocitiesAt(surface.mesh.vertices);
         surface.bodies = particles.bodiesAt(surface.mesh.vertices);
