@@ -113,7 +113,7 @@ TEST(LaplacePressure, FollowsNoStressThatThePressureTakesOut)
     {
         LiquidCase drop;
         const auto tension = makeLaplacePressure(drop);
-        drop.surface.agreed().ordering = 2;             // so that R is within its bounds
+        drop.surface.agreed().ordering = 1.2f;
         drop.surface.agreed().orderRemoved = scalar(removed);
         const auto force = tensionOf(drop, *tension, points);
         double ends = 0, waist = 0;
@@ -126,7 +126,7 @@ TEST(LaplacePressure, FollowsNoStressThatThePressureTakesOut)
         share[removed] = ends / waist;
     }
     EXPECT_LT(share[0], 0.9);                                // 0.896: layers that lie farther apart along x miss less there
-    EXPECT_GT(share[1], share[0] + 0.01);                    // 0.910; the outermost layer, of which nothing is taken out, keeps its part
+    EXPECT_GT(share[1], share[0] + 0.005);                   // 0.905; the outermost layer, of which nothing is taken out, keeps its part, and R its bounds
     EXPECT_LT(share[1], 1);
 }
 
