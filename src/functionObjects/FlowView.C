@@ -2,6 +2,7 @@
 #include "functionObjects/FlowView.H"
 
 #include "models/density/Density.H"
+#include "neighbours/ImagesOfLiquid.H"
 #include "neighbours/WholeLiquid.H"
 #include "drops/SeparateBodies.H"
 #include "particles/Unfold.H"
@@ -115,10 +116,14 @@ std::vector<Position> FlowView::mirrored(std::vector<Position> places) const
 
 void FlowView::buildUnfolded()
 {
+    const Sides& between = liquid_.ghosts().images()->sides();
+    const double reach = bodyReach * liquid_.spacing();
+    const bool isJoined = mayLieAcross(seen(), between, reach), isMirrored = between.box().has(Sides::Kind::symmetryPlane);
+    if (!isJoined && !isMirrored) return mesher().build({seen().position.span().data, seen().owned()});
     std::vector<Position> places(seen().owned());
     seen().position.download(places.data(), seen().owned());
-    const Sides& between = liquid_.ghosts().images()->sides();
-    const Buffer<Position> whole(mirrored(joinedAcross(std::move(places), between, bodyReach * liquid_.spacing())));
+    if (isJoined) places = joinedAcross(std::move(places), between, reach);
+    const Buffer<Position> whole(mirrored(std::move(places)));
     mesher().build(whole.span());
 }
 

@@ -2,6 +2,7 @@
 #include "neighbours/ImagesOfLiquid.H"
 
 #include "device/ForEach.H"
+#include "device/Reduce.H"
 
 #include <utility>
 
@@ -36,6 +37,40 @@ struct MirrorVectors
     HOST_DEVICE void operator()(int i) const { vector[i] = sides.imageOf(vector[i], across[i]); }
 };
 
+// By axis, how many are near the lower side, and near the upper one.
+struct NearSides
+{
+    int lower[3] = {}, upper[3] = {};
+
+    HOST_DEVICE void add(const NearSides& other)
+    {
+        for (int k = 0; k < 3; ++k)
+        {
+            lower[k] += other.lower[k];
+            upper[k] += other.upper[k];
+        }
+    }
+};
+
+struct CountNearSides
+{
+    SideMaps sides;
+    std::int64_t reach;
+    Span<const Position> position;
+
+    HOST_DEVICE NearSides operator()(int i) const
+    {
+        const AtSides near = sides.within(reach, placeOf(position[i]));
+        NearSides count;
+        for (int k = 0; k < 3; ++k)
+        {
+            count.lower[k] = near.along(k) == AtSides::lower ? 1 : 0;
+            count.upper[k] = near.along(k) == AtSides::upper ? 1 : 0;
+        }
+        return count;
+    }
+};
+
 }
 
 void bringBetweenSides(Liquid& liquid, scalar reach)
@@ -60,6 +95,18 @@ void makeImages(Liquid& liquid, scalar reach)
     liquid.resize(owned, ghosts.set({}, {}, ghosts.images()->find(std::as_const(liquid.predicted).span(), owned, reach), owned));
     ghosts.copy(liquid.fields().columnsOf(&FieldInfo::exchanged));
     ghosts.images()->renumber(liquid.id);
+}
+
+bool mayLieAcross(const Liquid& liquid, const Sides& sides, double reach)
+{
+    if (!sides.box().has(Sides::Kind::cyclic)) return false;
+    Buffer<NearSides> scratch;
+    const NearSides near = reduce(liquid.owned(), CountNearSides{sides.maps(), quanta::wholeOf(reach), liquid.position.span()}, scratch);
+    for (int k = 0; k < 3; ++k)
+    {
+        if (sides.box().isCyclic(k) && near.lower[k] > 0 && near.upper[k] > 0) return true;
+    }
+    return false;
 }
 
 }

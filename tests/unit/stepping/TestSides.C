@@ -3,6 +3,7 @@
 
 #include "models/density/Density.H"
 #include "motion/Motion.H"
+#include "neighbours/ImagesOfLiquid.H"
 #include "stepping/SubStep.H"
 #include "support/LiquidCase.H"
 #include "support/NeighbourLists.H"
@@ -189,6 +190,23 @@ TEST(Sides, ABoxThatIsFullHasTheDensityOfTheLatticeEverywhere)
     box.place(latticeBlock(periodInSpacings, periodInSpacings, periodInSpacings, 1, {low, low, low}));
     computeDensity(box.liquid, box.near, box.walls);
     for (const scalar density : box.inOrder(box.liquid.density)) EXPECT_NEAR(density, 1, 2e-5);         // places are whole quanta, two millionths of a spacing
+}
+
+// Balls of a radius of 2 between sides at 6 and -6; across the upper one, put back between the sides, it is near to both.
+TEST(Sides, ABodyMayLieAcrossWhereLiquidIsNearBoth)
+{
+    const auto mayLie = [](const std::string& axes, scalar x)
+    {
+        LiquidCase box({.boundary = cyclicSides(axes)});
+        auto points = latticeBall(2, {x, 0, 0});
+        for (Vec3& p : points) p.x -= p.x >= 6 ? 12 : 0;
+        box.place(points);
+        return mayLieAcross(box.liquid, box.liquid.ghosts().images()->sides(), 1.5 * box.liquid.spacing());
+    };
+    EXPECT_FALSE(mayLie("x", 0));
+    EXPECT_FALSE(mayLie("x", 3.9f));            // to 5.9
+    EXPECT_TRUE(mayLie("xz", 4.9f));
+    EXPECT_FALSE(mayLie("yz", 3.9f));
 }
 
 TEST(Sides, LiquidThatIsShiftedByHalfAPeriodMovesAlike)
