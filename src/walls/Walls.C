@@ -6,6 +6,7 @@
 #include "core/angles/Degrees.H"
 #include "core/time/Time.H"
 #include "device/ForEach.H"
+#include "maths/Simpson.H"
 #include "thetaModels/LineLaws.H"
 #include "thetaModels/ThetaField.H"
 #include "wallMotions/SixDoFBody.H"
@@ -49,6 +50,17 @@ WallSurface curvedOrPlane(const AnalyticSurface& surface, double unit)
         type, -1, scaled(surface.point, unit), {surface.direction.x, surface.direction.y, surface.direction.z}, surface.radius / unit,
         surface.liquidInside ? -1.0f : 1.0f, 0
     };
+}
+
+// By how much a sphere of that radius is too large for liquid around it where walls have a half-space's kernel density. Behind its tangent plane it lacks a layer r^2/(2 R) thick at r from the
+// middle: on the mean sigma^2/R, sigma^2 the kernel's second moment along an axis.
+double excessOfRadius(const KernelChoice& kernel, double radius)
+{
+    const double square = std::visit([](const auto& W)
+    {
+        return integrate(0, W.h, [&](double r) { return 4 * kernels::pi / 3 * r * r * r * r * W.W(scalar(r)); });
+    }, kernel);
+    return square / radius;
 }
 
 // The six planes of a box that holds the liquid.
@@ -106,6 +118,8 @@ Walls::Walls(const std::filesystem::path& casePath, double startTime, const Liqu
     {
         body->refuseLight(liquid.properties().density);
         body->begin(startTime);
+        double& radius = analytic_[surfaceOfBody()].radius;
+        radius -= excessOfRadius(liquid.kernel(), radius);
     }
     moveTo(startTime, startTime);
 }

@@ -13,7 +13,7 @@ struct BodyWeight
 {
     WallSurfacesView surfaces;
     int own;
-    scalar width;                               // scaled
+    scalar width, spacing;                      // scaled
 
     struct Value
     {
@@ -22,13 +22,20 @@ struct BodyWeight
         scalar alone;                           // the value without other walls
     };
 
-    HOST_DEVICE static scalar falling(scalar t) { return 1 - t * t * (3 - 2 * t); }
+    // Of t, and its slope.
+    struct Fall
+    {
+        scalar value, slope;
+    };
+
+    HOST_DEVICE static Fall evenly(scalar t) { return {1 - t, -1}; }
+    HOST_DEVICE static Fall smoothly(scalar t) { return {1 - t * t * t * (10 - t * (15 - 6 * t)), -30 * t * t * (1 - t) * (1 - t)}; }
 
     HOST_DEVICE Value operator()(Place at) const
     {
         const WallSurface::Nearest nearest = surfaces[own](at);
         const scalar d = fmax(nearest.distance, 0);
-        const scalar alone = falling(fmin(d / width, 1));
+        const scalar alone = smoothly(fmin(d / width, 1)).value;
         if (d >= width) return {0, {}, alone};
         WallSurface::Nearest other{width, {}};
         for (int a = 0; a < surfaces.count; ++a)
@@ -42,7 +49,11 @@ struct BodyWeight
         const scalar reach = isGap ? fmax(d + e, 1e-6f * width) : width;
         const scalar t = d / reach;
         const Vec3 slope = isGap ? (1 - t) * nearest.normal - t * other.normal : nearest.normal;
-        return {falling(t), -6 * t * (1 - t) / reach * slope, alone};
+        const scalar share = fmin(fmax(reach / spacing - 1, 0), 1);
+        const Fall even = evenly(t), smooth = smoothly(t);
+        Vec3 gradient = ((1 - share) * even.slope + share * smooth.slope) / reach * slope;
+        if (share > 0 && share < 1) gradient += (smooth.value - even.value) / spacing * (nearest.normal + other.normal);
+        return {even.value + share * (smooth.value - even.value), gradient, alone};
     }
 };
 
@@ -123,7 +134,7 @@ ReactionValue taken(Accumulator<Reaction>& sums, const Liquid& liquid)
 
 BodyWeight weightOf(const Liquid& liquid, const Walls& walls, int own)
 {
-    return {walls.view(liquid).surfaces, own, BodyReaction::width * liquid.spacing()};
+    return {walls.view(liquid).surfaces, own, BodyReaction::width * liquid.spacing(), liquid.spacing()};
 }
 
 }
@@ -163,7 +174,7 @@ ReactionValue BodyReaction::take(const Liquid& liquid)
 {
     // The weight of a shell of liquid all around: int_0^1 w(t) 4 pi (R + t W)^2 W dt, in particles.
     const double R = radius_ / liquid.properties().spacing, W = width;
-    const double whole = 4 * std::numbers::pi * W * (R * R / 2 + 0.3 * R * W + W * W / 15);
+    const double whole = 4 * std::numbers::pi * W * (R * R / 2 + 2 * R * W / 7 + 5 * W * W / 84);
     ReactionValue sum = taken(before_, liquid);
     sum.share /= whole;
     sum.add(taken(pressed_, liquid), -1);
