@@ -208,14 +208,14 @@ void WallReactions::addTo(Liquid& liquid)
     if (body_)
     {
         std::array<ReactionValue, parts>& body = walls[bodyEntry_];
+        ReactionValue rubs = body_->takeFriction(liquid);
         if (rubbed > body[friction].share && frictionOnBody_)
         {
-            ReactionValue more = body_->takeFriction(liquid);
-            more.add(body[friction], -1);
+            rubs.add(body[friction], -1);
             rubbed -= body[friction].share;
             body[friction].share = 0;
-            body[friction].add(more, 1);
-            restOfFriction.add(more, -1);
+            body[friction].add(rubs, 1);
+            restOfFriction.add(rubs, -1);
         }
         ReactionValue more = body_->take(liquid);
         liquid.setNumber(wetted(entries_.names[bodyEntry_]), std::min(more.share, 1.0));
