@@ -41,8 +41,9 @@ struct Hold
 
 }
 
-void HeldLiquid::set(const std::vector<Stream>& streams)
+void HeldLiquid::set(const std::vector<Stream>& streams, bool bear)
 {
+    bear_ = bear;
     streams_.upload(streams);
 }
 

@@ -45,6 +45,8 @@ public:
         return Stream{from() - opening_.spacing/4*opening_.direction, opening_.direction, length() + opening_.spacing/4, inner > 0 ? inner : 0, opening_.radius + aside, speed(time)};
     }
 
+    bool bearsLiquid() const override { return true; }
+
     double longestStep() const override
     {
         const double most = rate_.most()/(isFlow_ ? opening_.area() : 1);

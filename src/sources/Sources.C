@@ -92,13 +92,15 @@ void Sources::beginStep(const Liquid& liquid, double time, double deltaT)
     if (list_.empty()) return;
     refuseLongSteps(deltaT);
     std::vector<Stream> streams;
+    bool bear = false;
     for (const Named& named : list_)
     {
         const auto stream = named.source->stream(time + deltaT / 2);
         if (!stream) continue;
+        bear = bear || named.source->bearsLiquid();
         for (const Stream& each : space_.withImages(*stream)) streams.push_back(each.scaled(liquid.units().length, liquid.units().of(dimensions::velocity)));
     }
-    held_.set(streams);
+    held_.set(streams, bear);
 }
 
 Sources::Change Sources::apply(Liquid& liquid, double from, double to, double& nextNumber, std::size_t memoryBytes)

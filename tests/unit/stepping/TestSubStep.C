@@ -150,7 +150,7 @@ std::vector<Vec3> velocitiesBeside(scalar squeezed)
     drop.place(points);
     HeldLiquid held;
     const double d = drop.liquid.spacing();
-    held.set({{Vector3(20, 0, -10)*d, Vector3(0, 0, 1), 20*d, 0, 5*d, 0}});
+    held.set({{Vector3(20, 0, -10)*d, Vector3(0, 0, 1), 20*d, 0, 5*d, 0}}, true);
     SubStep subStep(drop.liquid, drop.near, drop.walls, models);
     subStep.hold(held);
     for (int step = 0; step < 4; ++step) subStep(0.1f);
