@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-namespace shizuku
-{
+using namespace shizuku;
+
 namespace
 {
 
@@ -109,5 +109,4 @@ TEST(JoinedAcross, BodiesThatTouchNoSideStay)
     for (std::size_t i = 0; i < ball.size(); ++i) EXPECT_EQ(placeOf(joined[i]).x, placeOf(ball[i]).x);
 }
 
-}
 }
