@@ -69,6 +69,7 @@ set(SHIZUKU_DEVICE_TESTS
     particles/TestUnits.C
     population/TestOccupied.C
     population/TestPopulation.C
+    stepping/TestBalance.C
     stepping/TestCaseSetup.C
     stepping/TestDeclaredReads.C
     stepping/TestParts.C

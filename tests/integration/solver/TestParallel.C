@@ -213,6 +213,7 @@ TEST_P(Parallel, RunsWithMoreRanksThanRowsOfLiquid)
     EXPECT_TRUE(same(whole, contents("0.002")));
 }
 
+// Of what is read, and of what the number of processes decides. What else is refused: TestBalance.C.
 TEST_P(Parallel, RefusesWhatItCannotDoOnceAndLeavesTheCase)
 {
     const auto refused = [&](const std::vector<std::string>& parts)
@@ -227,26 +228,8 @@ TEST_P(Parallel, RefusesWhatItCannotDoOnceAndLeavesTheCase)
     };
     write("system/decomposeParDict", "method scotch;\n");
     refused({"scotch", "liquid moves", "system/decomposeParDict at line 1", "bisection", "rows", "simple", "hierarchical"});
-    write("system/decomposeParDict", "method lines;\n");
-    refused({"lines", "system/decomposeParDict at line 1", "bisection", "rows", "simple", "hierarchical"});
-    write("system/decomposeParDict", "method simple;\nsimpleCoeffs { n (3 1 1); }\n");
-    refused({"rows of cells along x stay whole", "(1 M N)"});
-    write("system/decomposeParDict", "method hierarchical;\nhierarchicalCoeffs { n (1 2 2); order yx; }\n");
-    refused({"yx", "system/decomposeParDict at line 2", "xyz", "zyx"});
     write("system/decomposeParDict", "method hierarchical;\nhierarchicalCoeffs { n (1 2 2); }\n");
-    refused({"has 4 parts, and there are 3 processes"});
-    write("system/decomposeParDict", "direction z;\n");
-    refused({"The method bisection chooses directions by itself", "system/decomposeParDict at line 1", "method rows"});
-    write("system/decomposeParDict", "processorWeights (1 0 1);\n");
-    refused({"Each part is to have some liquid", "system/decomposeParDict at line 1"});
-    write("system/decomposeParDict", "numberOfSubdomains 3;\nprocessorWeights (1 1);\n");
-    refused({"weights of 2 parts, and there are 3", "system/decomposeParDict at line 2"});
-    write("system/decomposeParDict", "rebalanceInterval 0;\n");
-    refused({"These are no steps", "system/decomposeParDict at line 1"});
-    write("system/decomposeParDict", "numberOfSubdomains 4;\n");
     refused({"has 4 parts, and there are 3 processes", "mpirun -np 4"});
-    write("system/decomposeParDict", "rebalanceAbove -1;\n");
-    refused({"The share is negative"});
     remove("system/decomposeParDict");
 }
 
