@@ -37,6 +37,11 @@ TEST(BalanceControls, WithoutADictionaryHalvesTheLiquid)
     EXPECT_TRUE(controls.weights.empty());
 }
 
+TEST(BalanceControls, HaveAsManyPartsAsTheySay)
+{
+    EXPECT_EQ(DecomposedCase().read("numberOfSubdomains 4;\n").parts, 4);
+}
+
 TEST(BalanceControls, OfPiecesHaveAsManyPartsAndAnOrder)
 {
     const BalanceControls controls = DecomposedCase().read("method hierarchical;\nhierarchicalCoeffs { n (1 2 3); order zyx; }\nprocessorWeights (1 1 2 2 1 1);\n");
@@ -58,17 +63,17 @@ TEST(BalanceControls, AreRefusedWithTheLineAndWhatToWrite)
     const std::vector<std::string> methods{"bisection", "rows", "simple", "hierarchical"};
     const std::vector<Refused> all
     {
-        {"method scotch;\n", {"scotch", "liquid moves", "at line 1", methods[0], methods[1], methods[2], methods[3]}},
-        {"method lines;\n", {"lines", "at line 1", methods[0], methods[1], methods[2], methods[3]}},
-        {"method simple;\nsimpleCoeffs { n (3 1 1); }\n", {"rows of cells along x stay whole", "at line 2", "(1 M N)"}},
-        {"method hierarchical;\nhierarchicalCoeffs { n (1 2 2); order yx; }\n", {"yx", "at line 2", "xyz", "zyx"}},
-        {"numberOfSubdomains 3;\nmethod simple;\nsimpleCoeffs { n (1 2 2); }\n", {"These are 4 parts, and numberOfSubdomains is 3", "at line 3"}},
-        {"direction z;\n", {"The method bisection chooses directions by itself", "at line 1", "method rows"}},
-        {"processorWeights (1 0 1);\n", {"Each part is to have some liquid", "at line 1", "(1 1 2 2)"}},
-        {"method simple;\nsimpleCoeffs { n (1 2 1); }\nprocessorWeights (1 2);\n", {"go through all parts", "at line 3", "method bisection, rows or hierarchical"}},
-        {"numberOfSubdomains 3;\nprocessorWeights (1 1);\n", {"weights of 2 parts, and there are 3", "at line 2", "as many"}},
-        {"rebalanceAbove -1;\n", {"The share is negative", "at line 1", "0 or more"}},
-        {"rebalanceInterval 0;\n", {"These are no steps", "at line 1", "a whole number"}},
+        {"method scotch;\n", {"scotch", "liquid moves", "system/decomposeParDict at line 1", methods[0], methods[1], methods[2], methods[3]}},
+        {"method lines;\n", {"lines", "system/decomposeParDict at line 1", methods[0], methods[1], methods[2], methods[3]}},
+        {"method simple;\nsimpleCoeffs { n (3 1 1); }\n", {"rows of cells along x stay whole", "system/decomposeParDict at line 2", "(1 M N)"}},
+        {"method hierarchical;\nhierarchicalCoeffs { n (1 2 2); order yx; }\n", {"yx", "system/decomposeParDict at line 2", "xyz", "zyx"}},
+        {"numberOfSubdomains 3;\nmethod simple;\nsimpleCoeffs { n (1 2 2); }\n", {"These are 4 parts, and numberOfSubdomains is 3", "system/decomposeParDict at line 3"}},
+        {"direction z;\n", {"The method bisection chooses directions by itself", "system/decomposeParDict at line 1", "method rows"}},
+        {"processorWeights (1 0 1);\n", {"Each part is to have some liquid", "system/decomposeParDict at line 1", "(1 1 2 2)"}},
+        {"method simple;\nsimpleCoeffs { n (1 2 1); }\nprocessorWeights (1 2);\n", {"go through all parts", "system/decomposeParDict at line 3", "method bisection, rows or hierarchical"}},
+        {"numberOfSubdomains 3;\nprocessorWeights (1 1);\n", {"weights of 2 parts, and there are 3", "system/decomposeParDict at line 2", "as many"}},
+        {"rebalanceAbove -1;\n", {"The share is negative", "system/decomposeParDict at line 1", "0 or more"}},
+        {"rebalanceInterval 0;\n", {"These are no steps", "system/decomposeParDict at line 1", "a whole number"}},
         {"rebalanceAbov 0.2;\n", {"rebalanceAbov", "rebalanceAbove"}},
     };
     for (const Refused& each : all)
