@@ -39,6 +39,7 @@
 #include "device/Holds.H"
 #include "freeSurface/SemiImplicitTension.H"
 #include "models/density/OrderStress.H"
+#include "models/surfaceTension/laplacePressure/DisorderMemory.H"
 #include "models/surfaceTension/surfaceCurvature/CurvatureTension.H"
 #include "models/surfaceTension/surfaceCurvature/RegressedCurvature.H"
 #include "particles/NeighbourLoop.H"
@@ -223,6 +224,7 @@ struct FindJump
     FreeSurfaceView surface;
     Span<const Vec3> normal;                        // with b
     Span<const KernelDeficiency> deficiency;
+    DisorderMemoryView memory;
     Take take;
 
     HOST_DEVICE void operator()(int i, Team team) const
@@ -259,19 +261,20 @@ struct FindJump
         const scalar mean = weight > 0 ? kappas / weight : own;
         scalar jump = sigma * steadied(mean + followed * (own - mean), mean);
         if (jump < 0) jump *= fmin(fmax((filled / all - torn) / (whole - torn), 0), 1);
-        take(i, jump, fmax(disorder / fmax(planar, 1e-20f), least));
+        take(i, jump, memory(i, surface.contactAt(k), fmax(disorder / fmax(planar, 1e-20f), least)));
     }
 };
 
 class LaplacePressure : public CurvatureTension<RegressedCurvature>
 {
 public:
-    LaplacePressure(const Dictionary& coeffs, Liquid& liquid, const Walls&, FreeSurface& surface)
+    LaplacePressure(const Dictionary& coeffs, Liquid& liquid, const Walls& walls, FreeSurface& surface)
     :
         CurvatureTension(coeffs, liquid, surface),
         plane_(tabulateHalfSpace(liquid.kernel())),
         semiImplicit_(liquid)
     {
+        if (walls.particles() + walls.surfaces() > 0) memory_.emplace(liquid);
         // Half of what close-packed layers lie apart, 2^(1/6) sqrt(2/3) spacings: there is where the pressure holds the first layer of disordered liquid.
         constexpr scalar halfOfLayers = 0.458f;
         surface.agreed().pressureJump = true;
@@ -280,6 +283,12 @@ public:
 
     std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
     int parts(scalar dt) const override { return semiImplicit_.parts(dt); }
+
+    void commit() override
+    {
+        CurvatureTension::commit();
+        if (memory_) memory_->commit();
+    }
 
 private:
     void measure(const Liquid& liquid, const Neighbourhood& near, const Walls& walls) override
@@ -348,7 +357,8 @@ private:
             liquid, {valuesOf(surface_.particles(), deficiency_)}, {surface_.positions(), valuesOf(surface_.particles(), field.normal)}
         ).forEachTeam(surface_.particles(), FindJump<Take>
         {
-            surface_.kernel(), sigma_, liquid.spacing(), followed(), near.view(), surface_.view(), std::as_const(field.normal).span(), std::as_const(deficiency_).span(), take
+            surface_.kernel(), sigma_, liquid.spacing(), followed(), near.view(), surface_.view(), std::as_const(field.normal).span(), std::as_const(deficiency_).span(),
+            memory_ ? memory_->view(liquid, step(), capillaryStep()) : DisorderMemoryView{}, take
         });
     }
 
@@ -375,6 +385,7 @@ private:
     SampledEdges edges_;
     Buffer<KernelDeficiency> deficiency_;           // while the force is found, as t
     Buffer<scalar> taken_;
+    std::optional<DisorderMemory> memory_;  // where there are walls
     SemiImplicitTension semiImplicit_;      // in steps longer than the capillary one
 };
 

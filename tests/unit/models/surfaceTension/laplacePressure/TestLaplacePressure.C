@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The surface's pressure on lattices whose curvature is known.
 
+#include "models/surfaceTension/laplacePressure/DisorderMemory.H"
 #include "support/ReferenceKernels.H"
 #include "support/SurfaceForces.H"
 
@@ -211,4 +212,38 @@ TEST(LaplacePressure, IsYoungsAtTheContactLine)
             EXPECT_LT(share, 1.2) << wedge << " " << theta;
         }
     }
+}
+
+// What a particle that rests, or moves at `speed` spacings a step, makes of 0.2 after so many steps of a hundredth of the memory, where it has had 0.1 before.
+namespace
+{
+
+scalar remembered(double degrees, scalar speed, int steps, int wall = 0)
+{
+    scalar before = 0.1f, now = 0;
+    const Vec3 velocity{speed, 0, 0};
+    ContactLine line;
+    line.theta = scalar(degrees * std::numbers::pi / 180);
+    line.wall = wall;
+    scalar more = 0;
+    for (; steps > 0; --steps)
+    {
+        more = DisorderMemoryView{0.01f, 1, {&velocity, 1}, {&before, 1}, {&now, 1}}(0, line, 0.2f);
+        before = now;
+    }
+    return more;
+}
+
+}
+
+// A mean that forgets 1/e in its time, and at once what moves on by a spacing; nothing away from walls and where the surface faces them.
+TEST(DisorderMemory, LagsBehindBesideWallsOnly)
+{
+    EXPECT_NEAR(remembered(120, 0, 100), 0.2 - 0.1 * std::pow(0.99, 100), 1e-5);        // single precision, a hundred times
+    EXPECT_NEAR(remembered(120, 0.01f, 50), 0.2 - 0.1 * std::pow(0.98, 50), 1e-5);
+    EXPECT_EQ(remembered(120, 1, 1), 0.2f);
+    EXPECT_NEAR(remembered(147.5, 0, 1), 0.2 - 0.5 * 0.1 * 0.99, 1e-5);
+    EXPECT_EQ(remembered(160.1, 0, 1), 0.2f);
+    EXPECT_EQ(remembered(120, 0, 1, -1), 0.2f);
+    EXPECT_EQ(DisorderMemoryView{}(0, ContactLine{}, 0.2f), 0.2f);                       // of a case without walls
 }
