@@ -244,6 +244,7 @@ TEST(DisorderMemory, LagsBehindBesideWallsOnly)
     EXPECT_EQ(remembered(120, 1, 1), 0.2f);
     EXPECT_NEAR(remembered(147.5, 0, 1), 0.2 - 0.5 * 0.1 * 0.99, 1e-5);
     EXPECT_EQ(remembered(160.1, 0, 1), 0.2f);
+    EXPECT_EQ(remembered(160.1, 2, 1), 0.2f);
     EXPECT_EQ(remembered(120, 0, 1, -1), 0.2f);
     EXPECT_EQ(DisorderMemoryView{}(0, ContactLine{}, 0.2f), 0.2f);                       // of a case without walls
 }
