@@ -261,7 +261,7 @@ struct FindJump
         const scalar mean = weight > 0 ? kappas / weight : own;
         scalar jump = sigma * steadied(mean + followed * (own - mean), mean);
         if (jump < 0) jump *= fmin(fmax((filled / all - torn) / (whole - torn), 0), 1);
-        take(i, jump, memory(i, surface.contactAt(k), fmax(disorder / fmax(planar, 1e-20f), least)));
+        take(i, jump, memory(i, xi, surface.contactAt(k), fmax(disorder / fmax(planar, 1e-20f), least)));
     }
 };
 
@@ -311,7 +311,7 @@ private:
 
     void add
     (
-        const Liquid& liquid, const Neighbourhood& near, const Walls&, CurvatureField& field,
+        const Liquid& liquid, const Neighbourhood& near, const Walls& walls, CurvatureField& field,
         ForceTarget target
     ) override
     {
@@ -337,12 +337,12 @@ private:
         else forEach(surface_.particles(), addCurvature);
         taken_ = {};
         const Push push{liquid.restDensity(), view, std::as_const(deficiency_).span(), surface_.gradient(), target};
-        if (!semiImplicit_.isNeeded(step())) findJump(liquid, near, field, push);
+        if (!semiImplicit_.isNeeded(step())) findJump(liquid, near, walls, field, push);
         else
         {
             Buffer<scalar> jump(surface_.particles().indices.size());
             jump.setZero();
-            findJump(liquid, near, field, NoteJump{semiImplicit_.resolved(step()), view, jump.span()});
+            findJump(liquid, near, walls, field, NoteJump{semiImplicit_.resolved(step()), view, jump.span()});
             semiImplicit_.smooth(liquid, near, surface_, step(), field.normal, jump);
             forEach(surface_.particles(), PushByNoted{std::as_const(field.normal).span(), std::as_const(jump).span(), push});
         }
@@ -350,7 +350,7 @@ private:
     }
 
     template<class Take>
-    void findJump(const Liquid& liquid, const Neighbourhood& near, CurvatureField& field, const Take& take)
+    void findJump(const Liquid& liquid, const Neighbourhood& near, const Walls& walls, CurvatureField& field, const Take& take)
     {
         NeighbourLoop
         (
@@ -358,7 +358,7 @@ private:
         ).forEachTeam(surface_.particles(), FindJump<Take>
         {
             surface_.kernel(), sigma_, liquid.spacing(), followed(), near.view(), surface_.view(), std::as_const(field.normal).span(), std::as_const(deficiency_).span(),
-            memory_ ? memory_->view(liquid, step(), capillaryStep()) : DisorderMemoryView{}, take
+            memory_ ? memory_->view(liquid, walls, step(), capillaryStep()) : DisorderMemoryView{}, take
         });
     }
 

@@ -228,7 +228,7 @@ scalar remembered(double degrees, scalar speed, int steps, int wall = 0)
     scalar more = 0;
     for (; steps > 0; --steps)
     {
-        more = DisorderMemoryView{0.01f, 1, {&velocity, 1}, {&before, 1}, {&now, 1}}(0, line, 0.2f);
+        more = DisorderMemoryView{0.01f, 1, {&velocity, 1}, {}, {&before, 1}, {&now, 1}}(0, Position{}, line, 0.2f);
         before = now;
     }
     return more;
@@ -246,5 +246,5 @@ TEST(DisorderMemory, LagsBehindBesideWallsOnly)
     EXPECT_EQ(remembered(160.1, 0, 1), 0.2f);
     EXPECT_EQ(remembered(160.1, 2, 1), 0.2f);
     EXPECT_EQ(remembered(120, 0, 1, -1), 0.2f);
-    EXPECT_EQ(DisorderMemoryView{}(0, ContactLine{}, 0.2f), 0.2f);                       // of a case without walls
+    EXPECT_EQ(DisorderMemoryView{}(0, Position{}, ContactLine{}, 0.2f), 0.2f);                       // of a case without walls
 }
