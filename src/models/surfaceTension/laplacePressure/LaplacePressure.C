@@ -4,7 +4,7 @@
 //
 //     a_i     = sigma/rho0 2 kappa g_i R_i G_i/|G_i|,       g_i = |Psi'(s_i)|
 //     R_i     = 1 + sign(kappa) sum_j v_ij [o (D_j.G_j/|G_j| - g_j) - S_j.G_j/|G_j|] / sum_j v_ij g_j
-//               from 1.03 to 1.3, from 0.7 to 0.97 where kappa < 0
+//               from 1.03 to 1.3, from 0.7 to 0.97 where kappa < 0; next to walls a mean over time (DisorderMemory.H)
 //     v_ij    = W_ij (1 - |s_i - s_j|/(5.5 d))
 //     D_j     = sum_l V grad W^rho_jl + grad w              of the density's kernel W^rho, w: the wall's wedge
 //     S_j     = 1/2 sum_l V (T_j + T_l) grad W^rho_jl,      T = t (n n - 1/3), t = 3/2 n.(r q D) n, n = G/|G|
