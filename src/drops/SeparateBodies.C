@@ -56,10 +56,9 @@ std::vector<SeparateBody> separateBodies
 {
     const Vector3 half = 0.5*Vector3(spacing, spacing, spacing);
     std::vector<SeparateBody> bodies;
-    for (const std::vector<int>& group : connectedPoints(positions, bodyReach*spacing))
+    for (std::vector<int>& group : connectedPoints(positions, bodyReach*spacing))
     {
         SeparateBody body;
-        body.particles = group;
         body.volume = double(group.size())*spacing*spacing*spacing;
         Bounds bounds;
         Vector3 centre, spin;
@@ -79,7 +78,8 @@ std::vector<SeparateBody> separateBodies
         if (moment > 0) body.angularVelocity = spin/moment;
         body.low = bounds.low - half;
         body.high = bounds.high + half;
-        bodies.push_back(body);
+        body.particles = std::move(group);
+        bodies.push_back(std::move(body));
     }
     return bodies;
 }

@@ -32,12 +32,16 @@ struct SortedPoints
         // None is the first one or the last one of a row. What is farther than a row is long shares the last.
         const auto cellAt = [&](double far) { return one + std::uint64_t(std::clamp(far/distance, 0.0, double(row - 4))); };
         std::vector<std::pair<std::uint64_t, int>> order;
+        order.reserve(points.size());
         for (std::size_t i = 0; i < points.size(); ++i)
         {
             const Vector3 far = points[i] - low;
             order.emplace_back(cellAt(far.x) | cellAt(far.y)*row | cellAt(far.z)*layer, int(i));
         }
         std::sort(order.begin(), order.end());
+        cell.reserve(points.size());
+        index.reserve(points.size());
+        at.reserve(points.size());
         for (const auto& [key, i] : order)
         {
             cell.push_back(key);

@@ -81,18 +81,23 @@ void Liquid::change(double viscosity, double surfaceTension)
     properties_.surfaceTension = surfaceTension;
 }
 
+std::vector<Vector3> toSI(const std::vector<Position>& positions, const Units& units)
+{
+    std::vector<Vector3> places;
+    places.reserve(positions.size());
+    for (const Position& position : positions)
+    {
+        const Place at = placeOf(position);
+        places.push_back(units.length * Vector3(quanta::lengthOf(at.x), quanta::lengthOf(at.y), quanta::lengthOf(at.z)));
+    }
+    return places;
+}
+
 std::vector<Vector3> Liquid::positions() const
 {
     std::vector<Position> host(owned());
     position.download(host.data(), owned());
-    std::vector<Vector3> places;
-    places.reserve(host.size());
-    for (const Position& p : host)
-    {
-        const Place at = placeOf(p);
-        places.push_back(units_.length * Vector3(quanta::lengthOf(at.x), quanta::lengthOf(at.y), quanta::lengthOf(at.z)));
-    }
-    return places;
+    return toSI(host, units_);
 }
 
 void Liquid::read(const std::filesystem::path& timeFolder, bool mayBeEmpty)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stepping/SubStep.H"
 
+#include "device/HostBuffer.H"
 #include "motion/Motion.H"
 #include "stepping/PressureIterations.H"
 
@@ -140,6 +141,7 @@ void SubStep::update(scalar dt)
 void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, scalar dt)
 {
     if (!models.pressure->settles()) return;
+    HostBuffer<Vec3> velocities;                        // their memory on the device is the pressure's, as in a step
     for (int rounds = settlingRounds(liquid, dt); rounds > 0; --rounds)
     {
         const auto predict = [&] { predictPositions(liquid, 0); };
@@ -149,13 +151,15 @@ void settle(Liquid& liquid, Neighbourhood& near, Walls& walls, Models& models, s
         findSurface();
         lengthenLists(liquid, near, walls, models, predict, findSurface);
         models.freeSurface->dropPositions();
-        const std::vector<Vec3> velocities = liquid.velocity.download();        // their memory is the pressure's, as in a step
+        const int kept = liquid.velocity.size();
+        velocities.resizeDiscarding(kept);
+        liquid.velocity.download(velocities.data(), kept);
         dropVelocities(liquid);
         walls.project(liquid);
         iterate(liquid, near, walls, *models.pressure, dt, [] { return false; });
         takePredicted(liquid);
         models.pressure->forget();
-        liquid.velocity.upload(velocities);
+        liquid.velocity.upload(velocities.data(), kept);
     }
 }
 

@@ -3,11 +3,7 @@
 
 #include "SlipReport.H"
 #include "caseFiles/SampledWall.H"
-#include "caseFiles/SolidParticles.H"
 #include "core/arguments/runApplication.H"
-#include "drops/KnownFaults.H"
-#include "drops/MotionWarnings.H"
-#include "drops/SuspectNumbers.H"
 #include "parallel/AllParts.H"
 #include "thetaModels/ThetaField.H"
 
@@ -26,85 +22,11 @@ namespace shizuku
 namespace
 {
 
-// Where a single plane bears the liquid.
-std::string flatteningWarning(const FlowView& flow)
-{
-    const LiquidProperties& p = flow.properties();
-    const std::optional<Vec3> normal = flow.walls.constraints().only();
-    const auto g = flow.models.bodyForce->uniform();
-    const double pressing = normal ? -(g[0]*normal->x + g[1]*normal->y + g[2]*normal->z) : 0;
-    if (!(pressing > 0 && p.surfaceTension > 0)) return {};
-    return puddleWarning(std::sqrt(p.surfaceTension/(p.density*pressing)), flow.walls.contactAngles().second, p.spacing);
-}
-
 struct Signal
 {
     int number = 0;
     void add(const Signal& other) { number = std::max(number, other.number); }
 };
-
-// Of all parts' particles, in part 0.
-std::vector<Vector3> positionsOf(const Liquid& liquid) { return gatherListsAtFirst(liquid.parts(), liquid.positions()); }
-
-std::vector<Vector3> velocitiesOf(const Liquid& liquid)
-{
-    const double unit = liquid.units().of(dimensions::velocity);
-    const auto scaled = liquid.velocity.download();
-    std::vector<Vector3> velocities;
-    for (int i = 0; i < liquid.owned(); ++i) velocities.push_back(unit*Vector3(scaled[i].x, scaled[i].y, scaled[i].z));
-    return gatherListsAtFirst(liquid.parts(), velocities);
-}
-
-struct LiquidAtStart
-{
-    std::vector<Vector3> positions;
-    std::vector<SeparateBody> bodies;
-};
-
-// In part 0. Empty where there is so much liquid that the host of one part would take seconds and gigabytes for it: checkCase looks at any.
-LiquidAtStart liquidAtStart(const FlowView& flow, const Liquid& liquid)
-{
-    constexpr int most = 2000000;                           // particles
-    if (flow.particles() > most) return {};
-    const std::vector<Vector3> positions = positionsOf(liquid), velocities = velocitiesOf(liquid);
-    if (liquid.parts().part() > 0) return {};
-    std::vector<SeparateBody> bodies = separateBodies(positions, velocities, flow.properties().spacing);
-    return {std::move(positions), std::move(bodies)};
-}
-
-// Of many solid particles none are read once more for it: checkCase looks at any.
-void warnOfPlaces(const FlowView& flow, const LiquidAtStart& start)
-{
-    constexpr int most = 200000;                            // solid particles
-    const std::filesystem::path& path = flow.time.casePath();
-    const int particles = flow.walls.particles();
-    if (particles > most) return;
-    const SolidParticles solid = particles > 0 ? readSolidParticles(path) : SolidParticles();
-    const std::vector<AnalyticSurface> surfaces = readAnalyticSurfaces(Dictionary::read(path / "constant/walls"));
-    warnOf(suspectPlaces(path, start.bodies, surfaces, solid.positions));
-    warnOf(knownFaults(path, solid, surfaces, start.positions, flow.properties().spacing));
-}
-
-void warnOfStart(const FlowView& flow, const Liquid& liquid)
-{
-    const LiquidAtStart start = liquidAtStart(flow, liquid);
-    const std::vector<SeparateBody>& bodies = start.bodies;
-    if (liquid.parts().part() > 0) return;
-    warnOf(suspectEntries(flow.time.casePath()));
-    warnOfPlaces(flow, start);
-    const LiquidProperties& p = flow.properties();
-    std::vector<std::string> warnings = resolutionWarnings(bodies, p.spacing);
-    if (const std::string text = flatteningWarning(flow); !text.empty()) warnings.push_back(text);
-    for (const std::string& text : warnings)
-    {
-        warning(text, {(flow.time.casePath() / "system/solution").string(), 0});
-    }
-    const FlowScales scales{0, 0, 0, p.density, p.viscosity, p.surfaceTension};
-    for (const std::string& text : motionWarnings(flow.models.dict.lookup<std::string>("viscosity"), bodies, scales))
-    {
-        warning(text, {(flow.time.casePath() / "constant/models").string(), 0});
-    }
-}
 
 void warnOfOtherSolid(const Time& time, const Walls& walls)
 {
@@ -117,9 +39,8 @@ void warnOfOtherSolid(const Time& time, const Walls& walls)
 
 }
 
-void reportStart(const FlowView& flow, const Liquid& liquid)
+void reportStart(const FlowView& flow)
 {
-    if (flow.time.index() == 0) warnOfStart(flow, liquid);
     if (flow.walls.particles() > 0) warnOfOtherSolid(flow.time, flow.walls);
     std::cout << "Liquid particles " << flow.particles() << ", solid particles " << flow.walls.particles()
               << ", analytic surfaces " << flow.walls.surfaces() << std::endl;
@@ -134,7 +55,7 @@ void limitStepsOfBlobs(const FlowView& flow, const Liquid& liquid, TimeStep& ste
     constexpr double calm = 1.4;                            // maxCapillaryCo
     if (!step.mostCapillaryCo())
     {
-        const std::vector<Vector3> positions = flow.particles() > most ? std::vector<Vector3>() : positionsOf(liquid);
+        const std::vector<Vector3> positions = flow.particles() > most ? std::vector<Vector3>() : gatherListsAtFirst(liquid.parts(), liquid.positions());
         const std::vector<SeparateBody> bodies = positions.empty() ? std::vector<SeparateBody>()
             : separateBodies(positions, std::vector<Vector3>(positions.size()), flow.properties().spacing);
         const bool areSmall = !bodies.empty() && bodies.front().particles.size() <= small;

@@ -12,6 +12,7 @@
 #include "ProfileReport.H"
 #include "SameFiles.H"
 #include "SharedRun.H"
+#include "StartWarnings.H"
 #include "StepReport.H"
 #include "core/arguments/StopSignals.H"
 #include "core/arguments/runApplication.H"
@@ -60,7 +61,8 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     reportRelaxation(setup.relaxOverlap(time, near));
     functions.modelsMade(flow);
     TimeStep step(time, setup, near);
-    reportStart(flow, liquid);
+    reportStart(flow);
+    StartWarnings warnings(flow, liquid);
     limitStepsOfBlobs(flow, liquid, step);
     if (functions.lookAtViscousWork()) step.countViscousWork();
     if (functions.lookAtWallReactions()) step.countWallReactions();
@@ -73,6 +75,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
     ProfileReport profile(args.found("profile"));
     const StopSignals signals;
     LiveView view(args, time, liquid, flow);
+    warnings.printIfSoon();
     reportReady(time);
     stopWhereAsked(time, functions, parts);             // by the step that the run goes on from
     Interruption interruption;
@@ -94,6 +97,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         if (densities) flow.computeDensities();
         changePopulation(setup, near, flow, time, from, device);
         if (time.reportDue()) fallen.warn(liquid);
+        if (time.reportDue()) warnings.print();
         step.prepareNext(steps);
         refuseDivergence(time, steps, step, setup, writer);
 
