@@ -248,3 +248,23 @@ TEST(DisorderMemory, LagsBehindBesideWallsOnly)
     EXPECT_EQ(remembered(120, 0, 1, -1), 0.2f);
     EXPECT_EQ(DisorderMemoryView{}(0, Position{}, ContactLine{}, 0.2f), 0.2f);                       // of a case without walls
 }
+
+// A third of the time that has passed, in which a lattice is forgotten, and at most 200 capillary steps.
+TEST(DisorderMemory, IsNoLongerThanTheLiquidHasMoved)
+{
+    LiquidCase drop;
+    drop.liquid.velocity.resize(1);
+    DisorderMemory memory(drop.liquid);
+    const auto forgotten = [&](scalar dt)
+    {
+        const scalar share = memory.view(drop.liquid, drop.walls, dt, 1).forgotten;
+        memory.commit();
+        return share;
+    };
+    EXPECT_EQ(forgotten(0.5f), 1);
+    for (int step = 2; step <= 60; ++step) forgotten(0.5f);
+    EXPECT_NEAR(forgotten(0.5f), 0.5 / (30.0 / 3), 1e-6);
+    forgotten(1000);
+    EXPECT_NEAR(forgotten(0.5f), 0.5 / 200, 1e-8);
+    EXPECT_NEAR(drop.liquid.number("movedFor", 0) / drop.liquid.units().of(dimensions::time), 1031, 1e-3);
+}
