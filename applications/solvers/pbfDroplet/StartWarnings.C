@@ -51,7 +51,12 @@ std::string flatteningWarning(const FlowView& flow)
 StartWarnings::StartWarnings(const FlowView& flow, const Liquid& liquid) : flow_(flow)
 {
     constexpr int most = 2000000;                           // particles
-    if (flow.time.index() > 0 || flow.particles() > most) return;
+    if (flow.time.index() > 0) return;
+    if (flow.particles() > most)
+    {
+        if (liquid.parts().part() == 0) start_ = std::async(std::launch::deferred, [] { return LiquidAtStart(); });
+        return;
+    }
     std::vector<Position> positions = ofAllParts(liquid, liquid.position);
     std::vector<Vec3> velocities = ofAllParts(liquid, liquid.velocity);
     if (liquid.parts().part() > 0) return;
