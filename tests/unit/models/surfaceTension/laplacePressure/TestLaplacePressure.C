@@ -249,7 +249,7 @@ TEST(DisorderMemory, LagsBehindBesideWallsOnly)
     EXPECT_EQ(DisorderMemoryView{}(0, Position{}, ContactLine{}, 0.2f), 0.2f);                       // of a case without walls
 }
 
-// A third of the time that has passed, in which a lattice is forgotten, and at most 200 capillary steps.
+// The time that has passed, of which the lattice of the start is no more than its part, and at most 200 capillary steps.
 TEST(DisorderMemory, IsNoLongerThanTheLiquidHasMoved)
 {
     LiquidCase drop;
@@ -263,7 +263,7 @@ TEST(DisorderMemory, IsNoLongerThanTheLiquidHasMoved)
     };
     EXPECT_EQ(forgotten(0.5f), 1);
     for (int step = 2; step <= 60; ++step) forgotten(0.5f);
-    EXPECT_NEAR(forgotten(0.5f), 0.5 / (30.0 / 3), 1e-6);
+    EXPECT_NEAR(forgotten(0.5f), 0.5 / 30, 1e-6);
     forgotten(1000);
     EXPECT_NEAR(forgotten(0.5f), 0.5 / 200, 1e-8);
     EXPECT_NEAR(drop.liquid.number("movedFor", 0) / drop.liquid.units().of(dimensions::time), 1031, 1e-3);
