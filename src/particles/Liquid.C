@@ -81,7 +81,7 @@ void Liquid::change(double viscosity, double surfaceTension)
     properties_.surfaceTension = surfaceTension;
 }
 
-std::vector<Vector3> toSI(const std::vector<Position>& positions, const Units& units)
+std::vector<Vector3> positionsToSI(const std::vector<Position>& positions, const Units& units)
 {
     std::vector<Vector3> places;
     places.reserve(positions.size());
@@ -93,11 +93,27 @@ std::vector<Vector3> toSI(const std::vector<Position>& positions, const Units& u
     return places;
 }
 
+std::vector<Vector3> velocitiesToSI(const std::vector<Vec3>& velocities, const Units& units)
+{
+    const double unit = units.of(dimensions::velocity);
+    std::vector<Vector3> result;
+    result.reserve(velocities.size());
+    for (const Vec3& u : velocities) result.push_back(unit * Vector3(u.x, u.y, u.z));
+    return result;
+}
+
 std::vector<Vector3> Liquid::positions() const
 {
     std::vector<Position> host(owned());
     position.download(host.data(), owned());
-    return toSI(host, units_);
+    return positionsToSI(host, units_);
+}
+
+std::vector<Vector3> Liquid::velocities() const
+{
+    std::vector<Vec3> host(owned());
+    velocity.download(host.data(), owned());
+    return velocitiesToSI(host, units_);
 }
 
 void Liquid::read(const std::filesystem::path& timeFolder, bool mayBeEmpty)

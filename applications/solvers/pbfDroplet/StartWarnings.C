@@ -17,15 +17,6 @@ namespace shizuku
 namespace
 {
 
-std::vector<Vector3> toSI(const std::vector<Vec3>& velocities, const Units& units)
-{
-    const double unit = units.of(dimensions::velocity);
-    std::vector<Vector3> result;
-    result.reserve(velocities.size());
-    for (const Vec3& u : velocities) result.push_back(unit*Vector3(u.x, u.y, u.z));
-    return result;
-}
-
 // Of all parts' particles, in part 0, as the device has them.
 template<class T>
 std::vector<T> ofAllParts(const Liquid& liquid, const Buffer<T>& values)
@@ -52,20 +43,19 @@ StartWarnings::StartWarnings(const FlowView& flow, const Liquid& liquid) : flow_
 {
     constexpr int most = 2000000;                           // particles
     if (flow.time.index() > 0) return;
-    if (flow.particles() > most)
-    {
-        if (liquid.parts().part() == 0) start_ = std::async(std::launch::deferred, [] { return LiquidAtStart(); });
-        return;
-    }
-    std::vector<Position> positions = ofAllParts(liquid, liquid.position);
-    std::vector<Vec3> velocities = ofAllParts(liquid, liquid.velocity);
+    const bool looks = flow.particles() <= most;
+    std::vector<Position> positions = looks ? ofAllParts(liquid, liquid.position) : std::vector<Position>();
+    std::vector<Vec3> velocities = looks ? ofAllParts(liquid, liquid.velocity) : std::vector<Vec3>();
     if (liquid.parts().part() > 0) return;
-    start_ = std::async(std::launch::async, [positions = std::move(positions), velocities = std::move(velocities), units = liquid.units(), spacing = flow.properties().spacing]
-    {
-        LiquidAtStart start{toSI(positions, units), {}};
-        start.bodies = separateBodies(start.positions, toSI(velocities, units), spacing);
-        return start;
-    });
+    start_ = std::async
+    (
+        std::launch::async, [positions = std::move(positions), velocities = std::move(velocities), units = liquid.units(), spacing = flow.properties().spacing]
+        {
+            LiquidAtStart start{positionsToSI(positions, units), {}};
+            start.bodies = separateBodies(start.positions, velocitiesToSI(velocities, units), spacing);
+            return start;
+        }
+    );
 }
 
 StartWarnings::~StartWarnings()

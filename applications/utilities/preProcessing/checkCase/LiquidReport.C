@@ -21,14 +21,6 @@ namespace
 constexpr std::size_t mostReported = 10;
 constexpr double mostLiquidGap = 1.4;         // spacings
 
-std::vector<Vector3> toHost(const Buffer<Vec3>& field, double unit, int count)
-{
-    std::vector<Vector3> result;
-    const auto values = field.download();
-    for (int i = 0; i < count; ++i) result.push_back(unit * Vector3(values[i].x, values[i].y, values[i].z));
-    return result;
-}
-
 void checkSpacing(const std::vector<Vector3>& positions, double spacing, Findings& findings)
 {
     const double gap = measureGaps(positions, 3 * spacing).mean / spacing;
@@ -56,8 +48,7 @@ void reportLiquid(const std::filesystem::path& casePath, const Liquid& liquid, c
     const LiquidProperties& p = liquid.properties();
     const auto positions = liquid.positions();
     checkSpacing(positions, p.spacing, findings);
-    const auto velocities = toHost(liquid.velocity, liquid.units().of(dimensions::velocity), liquid.owned());
-    const std::vector<SeparateBody> bodies = separateBodies(positions, velocities, p.spacing);
+    const std::vector<SeparateBody> bodies = separateBodies(positions, liquid.velocities(), p.spacing);
     std::cout << "Liquid: " << liquid.owned() << " particles of spacing " << p.spacing << " m, volume "
               << liquid.owned() * p.particleVolume() << " m3, separate bodies " << bodies.size() << "\n";
     for (std::size_t i = 0; i < std::min(bodies.size(), mostReported); ++i) report(bodies[i], i + 1, p, gravity);
