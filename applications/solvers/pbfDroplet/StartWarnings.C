@@ -11,6 +11,8 @@
 #include <optional>
 #include <utility>
 
+#include <sys/resource.h>
+
 namespace shizuku
 {
 
@@ -24,6 +26,12 @@ std::vector<T> ofAllParts(const Liquid& liquid, const Buffer<T>& values)
     std::vector<T> own(liquid.owned());
     values.download(own.data(), liquid.owned());
     return gatherListsAtFirst(liquid.parts(), std::move(own));
+}
+
+// The calling thread leaves its core to others: mpirun binds each part to a single one, which the look would share with the steps. On Linux a priority is a thread's.
+void comeLast()
+{
+    setpriority(PRIO_PROCESS, 0, 19);
 }
 
 // Where a single plane bears the liquid.
@@ -51,6 +59,7 @@ StartWarnings::StartWarnings(const FlowView& flow, const Liquid& liquid) : flow_
     (
         std::launch::async, [positions = std::move(positions), velocities = std::move(velocities), units = liquid.units(), spacing = flow.properties().spacing]
         {
+            comeLast();
             LiquidAtStart start{positionsToSI(positions, units), {}};
             start.bodies = separateBodies(start.positions, velocitiesToSI(velocities, units), spacing);
             return start;

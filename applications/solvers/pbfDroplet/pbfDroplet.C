@@ -4,21 +4,19 @@
 // The time loop, with the sub-step in src/stepping/SubStep.C, is the algorithm. What each line computes, and from which
 // paper, stands in the header it comes from.
 
-#include "CaseChanges.H"
 #include "CaseWriter.H"
 #include "Divergence.H"
 #include "FallenLiquid.H"
 #include "LiveView.H"
+#include "PreparedCase.H"
 #include "ProfileReport.H"
 #include "SameFiles.H"
-#include "SharedRun.H"
 #include "StartWarnings.H"
 #include "StepReport.H"
 #include "core/arguments/StopSignals.H"
 #include "core/arguments/runApplication.H"
 #include "device/DeviceApplication.H"
 #include "device/Processors.H"
-#include "functionObjects/FunctionObjects.H"
 #include "functionObjects/ModelList.H"
 #include "parallel/ParallelRun.H"
 #include "stepping/DryRun.H"
@@ -39,34 +37,41 @@ void takeNewModels(TimeStep& step, FunctionObjects& functions, FlowView& flow)
     functions.modelsMade(flow);
 }
 
-void pbfDroplet(const Arguments& args, const Communicator& parts)
+// Threads and device of this part.
+DeviceInfo openDevice(const Communicator& parts)
 {
     shareProcessors(parts.partsOfHost());
-    const DeviceInfo device = openNamedDevice(parts.partOfHost());
+    DeviceInfo device = openNamedDevice(parts.partOfHost());
     warnOfSharedDevices(device, parts);
+    return device;
+}
 
-    Time time(args.casePath(), parts.part() == 0);
-    CaseChanges changes(time);
-    CaseSetup setup(args.casePath());
-    setup.make(time.value());
-    SharedRun run(parts, setup);
-    FunctionObjects functions(time, setup.liquid->properties().spacing, !args.found("noFunctionObjects"));
+void countWhatIsLookedAt(const FunctionObjects& functions, TimeStep& step)
+{
+    if (functions.lookAtViscousWork()) step.countViscousWork();
+    if (functions.lookAtWallReactions()) step.countWallReactions();
+}
+
+// Where what is suspect is said.
+void warnIfDue(const Time& time, const Liquid& liquid, FallenLiquid& fallen, StartWarnings& warnings)
+{
+    if (!time.reportDue()) return;
+    fallen.warn(liquid);
+    warnings.print();
+}
+
+void pbfDroplet(const Arguments& args, const Communicator& parts)
+{
+    const DeviceInfo device = openDevice(parts);
+    PreparedCase prepared(args.casePath(), parts, !args.found("noFunctionObjects"));
+    auto& [time, changes, setup, run, functions, near, flow] = prepared;
     Liquid& liquid = *setup.liquid;
-    Neighbourhood near(liquid);
-    setup.readParticles(time);
-    run.cut(near);
-    FlowView flow(time, liquid, near, *setup.walls, *setup.models);
-    run.showWhole(flow);
-    setup.refuseBadStart(time);
-    reportRelaxation(setup.relaxOverlap(time, near));
-    functions.modelsMade(flow);
     TimeStep step(time, setup, near);
     reportStart(flow);
     StartWarnings warnings(flow, liquid);
-    limitStepsOfBlobs(flow, liquid, step);
-    if (functions.lookAtViscousWork()) step.countViscousWork();
-    if (functions.lookAtWallReactions()) step.countWallReactions();
     FallenLiquid fallen(setup);
+    limitStepsOfBlobs(flow, liquid, step);
+    countWhatIsLookedAt(functions, step);
     if (args.found("dry-run")) return reportDryRun(time, step.control(), liquid, near, *setup.walls, *setup.models, device, step.speeds().now);
 
     run.lockCase();
@@ -96,8 +101,7 @@ void pbfDroplet(const Arguments& args, const Communicator& parts)
         const bool densities = time.reportDue() || functions.lookAtDensities(time);
         if (densities) flow.computeDensities();
         changePopulation(setup, near, flow, time, from, device);
-        if (time.reportDue()) fallen.warn(liquid);
-        if (time.reportDue()) warnings.print();
+        warnIfDue(time, liquid, fallen, warnings);
         step.prepareNext(steps);
         refuseDivergence(time, steps, step, setup, writer);
 
