@@ -8,7 +8,7 @@ set(SHIZUKU_DEVICE_APPLICATIONS
     utilities/preProcessing/checkCase
 )
 set(pbfDroplet_SOURCES
-    pbfDroplet.C CaseChanges.C CaseWriter.C Divergence.C FallenLiquid.C LiveView.C PreparedCase.C SameFiles.C SharedRun.C SlipReport.C StartWarnings.C StepReport.C ProfileReport.C Ceilings.C
+    pbfDroplet.C CaseChanges.C CaseSeries.C CaseWriter.C Divergence.C FallenLiquid.C LiveView.C PreparedCase.C SameFiles.C SharedRun.C SlipReport.C StartWarnings.C StepReport.C ProfileReport.C Ceilings.C
 )
 set(pbfDroplet_KERNELS ProfileReport.C Ceilings.C FallenLiquid.C)
 set(pbfDroplet_LINK shizukuLiveView)

@@ -4,6 +4,7 @@
 // The time loop, with the sub-step in src/stepping/SubStep.C, is the algorithm. What each line computes, and from which
 // paper, stands in the header it comes from.
 
+#include "CaseSeries.H"
 #include "CaseWriter.H"
 #include "Divergence.H"
 #include "FallenLiquid.H"
@@ -130,7 +131,7 @@ extern "C" int runOnDevice(int argc, char** argv)
     const ApplicationInfo info
     {
         .name = "pbfDroplet",
-        .summary = "Compute liquid with surface tension on wettable solids by position based fluids.",
+        .summary = "Compute liquid with surface tension on wettable solids by position based fluids. Cases that are given run one after another in this process, each with its log.pbfDroplet.",
         .options =
         {
             deviceOption(),
@@ -142,10 +143,16 @@ extern "C" int runOnDevice(int argc, char** argv)
             {"view", "", "Show the run in a browser; the address of the page is printed", ""},
             {"viewAt", "[ADDRESS:]PORT", "The same at this address and port, for another machine or ssh -L", ""}
         },
+        .positional = {"cases..."},
         .models = modelList
     };
     return runInParts(argc, argv, [&](const Communicator& parts)
     {
-        return runApplication(argc, argv, info, [&](const Arguments& args) { pbfDroplet(args, parts); });
+        return runApplication(argc, argv, info, [&](const Arguments& args)
+        {
+            const auto runOne = [&](const Arguments& each) { pbfDroplet(each, parts); };
+            if (args.givesCases()) runSeries(args, runOne);
+            else runOne(args);
+        });
     });
 }

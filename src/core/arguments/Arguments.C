@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
+#include <set>
 #include <sstream>
 
 namespace shizuku
@@ -136,10 +137,9 @@ std::string quoted(const std::string& argument)
     return result.append(argument).append("'");
 }
 
-void checkCase(const std::filesystem::path& path)
+void checkCase(const std::filesystem::path& path, const std::string& hint = "a case directory, given with -case DIR, or the current folder")
 {
     const SourceLocation where{path.string(), 0};
-    const std::string hint = "a case directory, given with -case DIR, or the current folder";
     if (!isThere(path))
     {
         throw FatalInputError(where, "The case directory does not exist", hint);
@@ -165,7 +165,7 @@ std::string helpText(const ApplicationInfo& info)
 
     std::ostringstream text;
     text << "Usage: " << info.name << " [OPTIONS]";
-    for (const std::string& name : info.positional) text << " <" << name << ">";
+    for (const std::string& name : info.positional) text << (info.needsCase && takesMany(info) ? " [" + name + "]" : " <" + name + ">");
     text << "\n\n" << info.summary << "\n\nOptions:\n";
     for (const Option& option : options)
     {
@@ -222,7 +222,36 @@ Arguments::Arguments(int argc, const char* const* argv, const ApplicationInfo& i
     std::error_code unresolved;
     case_ = std::filesystem::weakly_canonical(given, unresolved);
     if (unresolved) case_ = given;          // which checkCase refuses
-    if (info_.needsCase) checkCase(case_);
+    if (givesCases()) checkCases();
+    else if (info_.needsCase) checkCase(case_);
+}
+
+std::vector<std::string> Arguments::optionWords() const
+{
+    const auto options = allOptions(info_);
+    std::vector<std::string> words;
+    for (const auto& [name, value] : values_)
+    {
+        words.push_back("-" + name);
+        if (!findOption(options, name)->value.empty()) words.push_back(value);
+    }
+    return words;
+}
+
+bool Arguments::givesCases() const
+{
+    return info_.needsCase && takesMany(info_) && positional_.size() >= info_.positional.size();
+}
+
+void Arguments::checkCases() const
+{
+    if (found("case")) throw FatalInputError({}, "Cases are given with -case and without", "-case DIR, or CASE ... alone");
+    std::set<std::filesystem::path> paths;
+    for (const std::string& name : positionals(info_.positional.back()))
+    {
+        checkCase(name, "a case folder");
+        if (!paths.insert(std::filesystem::canonical(name)).second) throw FatalInputError({name, 0}, "The case is given twice", "it once");
+    }
 }
 
 void Arguments::store(const std::string& name, const std::string& value)

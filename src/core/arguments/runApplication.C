@@ -23,8 +23,9 @@ namespace shizuku
 namespace
 {
 
-// Wall clock from the start of the program.
-const auto startTime = std::chrono::steady_clock::now();
+// Of the program, or of what restartClocks() has begun.
+auto startTime = std::chrono::steady_clock::now();
+std::clock_t startProcessor = 0;
 
 std::string hostName()
 {
@@ -39,7 +40,7 @@ void printBanner(const Arguments& args)
         << "Shizuku " << versionText() << ", " << std::put_time(std::localtime(&now), "%b %d %Y %H:%M:%S") << ", host "
         << hostName() << ", PID " << getpid() << "\n"
         << "Exec   : " << args.commandLine() << "\n";
-    if (args.info().needsCase) std::cout << "Case   : " << args.casePath().string() << "\n";
+    if (args.info().needsCase && !args.givesCases()) std::cout << "Case   : " << args.casePath().string() << "\n";
     std::cout << std::endl;
 }
 
@@ -99,6 +100,12 @@ int runApplication
 
 std::string versionText() { return SHIZUKU_VERSION "-" SHIZUKU_COMMIT; }
 
+void restartClocks()
+{
+    startTime = std::chrono::steady_clock::now();
+    startProcessor = std::clock();
+}
+
 double clockTime()
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - startTime).count();
@@ -106,7 +113,7 @@ double clockTime()
 
 std::string executionTime()
 {
-    const double processor = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    const double processor = static_cast<double>(std::clock() - startProcessor) / CLOCKS_PER_SEC;
     std::ostringstream text;
     text
         << std::fixed << std::setprecision(2) << "ExecutionTime = " << processor << " s  ClockTime = "

@@ -77,6 +77,26 @@ TEST(Arguments, ALastPositionalMayStandForMany)
     EXPECT_TRUE(holds(errorOf({"a", "b"}), {"Unexpected argument 'b'"}));
 }
 
+TEST(Arguments, OfAnApplicationThatNeedsACaseTheManyAreCases)
+{
+    const ScratchFolder folder;
+    for (const char* name : {"a", "b"}) folder.write(std::string(name) + "/system/controlDict", "");
+    folder.write("noCase/file", "");
+    const std::string a = (folder.path()/"a").string(), b = (folder.path()/"b").string(), noCase = (folder.path()/"noCase").string();
+    ApplicationInfo many = info();
+    many.positional = {"cases..."};
+    EXPECT_FALSE(parse({"nowhere"}, many).givesCases());
+    many.needsCase = true;
+    const Arguments args = parse({"-device", "cuda", a.c_str(), "-latestTime", b.c_str()}, many);
+    EXPECT_TRUE(args.givesCases());
+    EXPECT_EQ(args.positionals("cases..."), (std::vector<std::string>{a, b}));
+    EXPECT_EQ(args.optionWords(), (std::vector<std::string>{"-device", "cuda", "-latestTime"}));
+    EXPECT_FALSE(parse({"-case", a.c_str()}, many).givesCases());
+    EXPECT_TRUE(holds(errorOf({a.c_str(), noCase.c_str()}, many), {"The folder is not a case: system/controlDict is missing", noCase}));
+    EXPECT_TRUE(holds(errorOf({a.c_str(), b.c_str(), a.c_str()}, many), {"The case is given twice", "file: " + a}));
+    EXPECT_TRUE(holds(errorOf({a.c_str(), "-case", b.c_str()}, many), {"Cases are given with -case and without"}));
+}
+
 TEST(Arguments, FallsBackToDefaults)
 {
     const Arguments args = parse({});

@@ -36,7 +36,8 @@
 // With coarseGrid the first half of the iterations that are allowed also correct on a grid; the others even out what it leaves.
 //
 // maxIterations is meant for steps up to the capillary one sqrt(rho d^3/(2 pi sigma)); a longer one, which moves particles
-// farther, may make more towards the tolerance, by the root of how much longer it is. Trials: doc/notebook/theory/completedPbf.md.
+// farther, may make more towards the tolerance: of k capillary steps sqrt(k) as many, above 2.8 sqrt(k) (k/2.8)^0.85, so that the liquid keeps its volume.
+// Trials: doc/notebook/theory/completedPbf.md.
 
 #include "device/Holds.H"
 #include "freeSurface/FreeSurface.H"
@@ -188,7 +189,8 @@ public:
     void begin(scalar dt) override
     {
         iterations_ = 0;
-        const scalar more = controls_.tolerance > 0 ? std::sqrt(std::max(scalar(1), capillarySteps(dt))) : 1;
+        const scalar steps = controls_.tolerance > 0 ? std::max(scalar(1), capillarySteps(dt)) : 1;
+        const scalar more = std::sqrt(steps) * std::pow(std::max(scalar(1), steps / 2.8f), 0.85f);
         limits_.maxIterations = int(std::lround(controls_.maxIterations * more));
         steady_.begin(limits_);
         dt_ = dt;

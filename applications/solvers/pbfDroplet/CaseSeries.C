@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "CaseSeries.H"
+
+#include "core/arguments/StopSignals.H"
+#include "core/arguments/runApplication.H"
+#include "core/messages/Error.H"
+#include "core/messages/Progress.H"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <utility>
+#include <vector>
+
+namespace shizuku
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+// While it lives, what std::cout and std::cerr get goes to the end of a file.
+class OutputToFile
+{
+public:
+    explicit OutputToFile(const fs::path& path)
+    :
+        file_(path, std::ios::app)
+    {
+        if (!file_) throw FatalError("Cannot write " + path.string());
+        out_ = std::cout.rdbuf(file_.rdbuf());
+        error_ = std::cerr.rdbuf(file_.rdbuf());
+    }
+    ~OutputToFile()
+    {
+        std::cout.flush();
+        std::cout.rdbuf(out_);
+        std::cerr.rdbuf(error_);
+    }
+    OutputToFile(const OutputToFile&) = delete;
+    OutputToFile& operator=(const OutputToFile&) = delete;
+
+private:
+    std::ofstream file_;
+    std::streambuf* out_ = nullptr;
+    std::streambuf* error_ = nullptr;
+};
+
+void refuseOptionsOfOneRun(const Arguments& args)
+{
+    for (const char* name : {"parallel", "view", "viewAt"})
+    {
+        if (args.found(name)) throw FatalInputError({}, std::string("Option -") + name + " is given beside cases", "it with a single case, by -case DIR");
+    }
+}
+
+// The exit status of one, and its seconds.
+std::pair<int, double> runOne(const Arguments& args, const fs::path& path, const std::function<void(const Arguments&)>& run)
+{
+    const std::string name = args.info().name, folder = path.string();
+    const std::vector<std::string> options = args.optionWords();
+    std::vector<const char*> words = {name.c_str(), "-case", folder.c_str()};
+    for (const std::string& word : options) words.push_back(word.c_str());
+    const OutputToFile log(path/("log." + name));
+    restartClocks();
+    const int status = runApplication(int(words.size()), words.data(), args.info(), run);
+    return {status, clockTime()};
+}
+
+}
+
+void runSeries(const Arguments& args, const std::function<void(const Arguments&)>& run)
+{
+    refuseOptionsOfOneRun(args);
+    const std::vector<std::string> names = args.positionals("cases...");
+    Progress progress("Cases");
+    std::size_t done = 0, failed = 0;
+    for (const std::string& name : names)
+    {
+        std::cout << "Started  " << name << std::endl;
+        const auto [status, seconds] = runOne(args, fs::canonical(name), run);
+        if (status > 128) throw Interruption{status - 128};
+        ++done;
+        failed += status != 0;
+        std::cout << (status != 0 ? "FAILED   " : "Finished ") << name << " in " << durationText(seconds) << "  (" << done << " of " << names.size() << ": "
+                  << progress.text(double(done)/double(names.size())) << ')' << std::endl;
+    }
+    if (failed == 0) return;
+    throw FatalError(std::to_string(failed) + " of " + std::to_string(names.size()) + " cases failed; what each printed is in its log." + args.info().name);
+}
+
+}
