@@ -6,6 +6,7 @@
 #include "core/messages/Error.H"
 #include "core/messages/Progress.H"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -20,31 +21,23 @@ namespace
 
 namespace fs = std::filesystem;
 
-// While it lives, what std::cout and std::cerr get goes to the end of a file.
-class OutputToFile
+// While it lives, std::cout and std::cerr go there.
+class OutputTo
 {
 public:
-    explicit OutputToFile(const fs::path& path)
-    :
-        file_(path, std::ios::app)
-    {
-        if (!file_) throw FatalError("Cannot write " + path.string());
-        out_ = std::cout.rdbuf(file_.rdbuf());
-        error_ = std::cerr.rdbuf(file_.rdbuf());
-    }
-    ~OutputToFile()
+    explicit OutputTo(std::ostream& there) : out_(std::cout.rdbuf(there.rdbuf())), error_(std::cerr.rdbuf(there.rdbuf())) {}
+    ~OutputTo()
     {
         std::cout.flush();
         std::cout.rdbuf(out_);
         std::cerr.rdbuf(error_);
     }
-    OutputToFile(const OutputToFile&) = delete;
-    OutputToFile& operator=(const OutputToFile&) = delete;
+    OutputTo(const OutputTo&) = delete;
+    OutputTo& operator=(const OutputTo&) = delete;
 
 private:
-    std::ofstream file_;
-    std::streambuf* out_ = nullptr;
-    std::streambuf* error_ = nullptr;
+    std::streambuf* out_;
+    std::streambuf* error_;
 };
 
 void refuseOptionsOfOneRun(const Arguments& args)
@@ -62,7 +55,13 @@ std::pair<int, double> runOne(const Arguments& args, const fs::path& path, const
     const std::vector<std::string> options = args.optionWords();
     std::vector<const char*> words = {name.c_str(), "-case", folder.c_str()};
     for (const std::string& word : options) words.push_back(word.c_str());
-    const OutputToFile log(path/("log." + name));
+    std::ofstream log(path/("log." + name), std::ios::app);
+    if (!log)
+    {
+        std::cerr << "Cannot write " << (path/("log." + name)).string() << '\n';
+        return {EXIT_FAILURE, 0};
+    }
+    const OutputTo itsLog(log);
     restartClocks();
     const int status = runApplication(int(words.size()), words.data(), args.info(), run);
     return {status, clockTime()};

@@ -245,9 +245,13 @@ bool Arguments::givesCases() const
 
 void Arguments::checkCases() const
 {
-    if (found("case")) throw FatalInputError({}, "Cases are given with -case and without", "-case DIR, or CASE ... alone");
+    const std::vector<std::string> names = positionals(info_.positional.back());
+    if (found("case"))
+    {
+        throw FatalInputError({}, "Option -case is given beside the case '" + names.front() + "'", "one of both; " + info_.name + " -help tells the usage");
+    }
     std::set<std::filesystem::path> paths;
-    for (const std::string& name : positionals(info_.positional.back()))
+    for (const std::string& name : names)
     {
         checkCase(name, "a case folder");
         if (!paths.insert(std::filesystem::canonical(name)).second) throw FatalInputError({name, 0}, "The case is given twice", "it once");

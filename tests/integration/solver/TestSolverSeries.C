@@ -47,6 +47,14 @@ TEST_P(Series, EachCaseHasTheResultsOfARunOfItsOwn)
     }
 }
 
+TEST_P(Series, ACaseWhoseLogCannotBeWrittenStopsNoOther)
+{
+    std::filesystem::create_directory(folder_.path()/"first"/"log.pbfDroplet");
+    const Outcome series = pbfDroplet("first last");
+    EXPECT_EQ(series.status, 1);
+    EXPECT_TRUE(holds(series.text, {"Cannot write ", "FAILED   first", "Finished last", "1 of 2 cases failed"}));
+}
+
 // The second call finds each case at its end, and says so behind what the first has said.
 TEST_P(Series, LogsAreAddedTo)
 {
@@ -65,7 +73,7 @@ TEST_P(Series, WhatCannotRunIsRefusedBeforeAnythingDoes)
         {"first nowhere", "The case directory does not exist"},
         {"first first", "The case is given twice"},
         {"first first/../first", "The case is given twice"},
-        {"first -case last", "Cases are given with -case and without"},
+        {"first -case last", "Option -case is given beside the case 'first'"},
         {"-view first", "Option -view is given beside cases"},
         {"-viewAt 8090 first", "Option -viewAt is given beside cases"},
     })

@@ -94,7 +94,7 @@ TEST(Arguments, OfAnApplicationThatNeedsACaseTheManyAreCases)
     EXPECT_FALSE(parse({"-case", a.c_str()}, many).givesCases());
     EXPECT_TRUE(holds(errorOf({a.c_str(), noCase.c_str()}, many), {"The folder is not a case: system/controlDict is missing", noCase}));
     EXPECT_TRUE(holds(errorOf({a.c_str(), b.c_str(), a.c_str()}, many), {"The case is given twice", "file: " + a}));
-    EXPECT_TRUE(holds(errorOf({a.c_str(), "-case", b.c_str()}, many), {"Cases are given with -case and without"}));
+    EXPECT_TRUE(holds(errorOf({a.c_str(), "-case", b.c_str()}, many), {"Option -case is given beside the case '" + a + "'"}));
 }
 
 TEST(Arguments, FallsBackToDefaults)
