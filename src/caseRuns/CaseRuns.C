@@ -104,9 +104,7 @@ void CaseRuns::finish(Running& running)
 void CaseRuns::said(const CaseRun& ended)
 {
     ++done_;
-    std::cout << (ended.record.status == "failed" ? "FAILED   " : "Finished ") << ended.name << " in "
-              << durationText(ended.record.seconds) << "  (" << done_ << " of " << todo_ << ": "
-              << progress_.text(double(done_)/double(todo_)) << ')' << std::endl;
+    std::cout << progress_.ended(ended.name, ended.record.status != "failed", ended.record.seconds, done_, todo_) << std::endl;
     if (!ended.record.reason.empty()) std::cout << "    " << ended.record.reason << std::endl;
     ended_(ended);
 }

@@ -51,19 +51,16 @@ void refuseOptionsOfOneRun(const Arguments& args)
 // The exit status of one, and its seconds.
 std::pair<int, double> runOne(const Arguments& args, const fs::path& path, const std::function<void(const Arguments&)>& run)
 {
-    const std::string name = args.info().name, folder = path.string();
-    const std::vector<std::string> options = args.optionWords();
-    std::vector<const char*> words = {name.c_str(), "-case", folder.c_str()};
-    for (const std::string& word : options) words.push_back(word.c_str());
-    std::ofstream log(path/("log." + name), std::ios::app);
+    const fs::path file = path/("log." + args.info().name);
+    std::ofstream log(file, std::ios::app);
     if (!log)
     {
-        std::cerr << "Cannot write " << (path/("log." + name)).string() << '\n';
+        std::cerr << "Cannot write " << file.string() << '\n';
         return {EXIT_FAILURE, 0};
     }
     const OutputTo itsLog(log);
     restartClocks();
-    const int status = runApplication(int(words.size()), words.data(), args.info(), run);
+    const int status = runApplication(args.ofCase(path), run);
     return {status, clockTime()};
 }
 
@@ -82,8 +79,7 @@ void runSeries(const Arguments& args, const std::function<void(const Arguments&)
         if (status > 128) throw Interruption{status - 128};
         ++done;
         failed += status != 0;
-        std::cout << (status != 0 ? "FAILED   " : "Finished ") << name << " in " << durationText(seconds) << "  (" << done << " of " << names.size() << ": "
-                  << progress.text(double(done)/double(names.size())) << ')' << std::endl;
+        std::cout << progress.ended(name, status == 0, seconds, done, names.size()) << std::endl;
     }
     if (failed == 0) return;
     throw FatalError(std::to_string(failed) + " of " + std::to_string(names.size()) + " cases failed; what each printed is in its log." + args.info().name);

@@ -226,16 +226,12 @@ Arguments::Arguments(int argc, const char* const* argv, const ApplicationInfo& i
     else if (info_.needsCase) checkCase(case_);
 }
 
-std::vector<std::string> Arguments::optionWords() const
+Arguments Arguments::ofCase(const std::filesystem::path& path) const
 {
-    const auto options = allOptions(info_);
-    std::vector<std::string> words;
-    for (const auto& [name, value] : values_)
-    {
-        words.push_back("-" + name);
-        if (!findOption(options, name)->value.empty()) words.push_back(value);
-    }
-    return words;
+    Arguments args = *this;
+    args.positional_.clear();
+    args.case_ = path;
+    return args;
 }
 
 bool Arguments::givesCases() const

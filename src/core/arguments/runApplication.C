@@ -15,6 +15,7 @@
 #include <iomanip>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <sstream>
 
 namespace shizuku
@@ -62,22 +63,12 @@ int endBySignal(const ApplicationInfo& info, const Interruption& interruption)
     return 128 + interruption.signal;
 }
 
-}
-
-int runApplication
-(
-    int argc, const char* const* argv, const ApplicationInfo& info,
-    const std::function<void(const Arguments&)>& body, bool quiet
-)
+// The exit status of what it calls: errors are printed.
+int statusOf(const ApplicationInfo& info, const std::function<void()>& call)
 {
-    std::signal(SIGXFSZ, SIG_IGN);      // a file that would be too large is an error of the write, with its message
     try
     {
-        const Arguments args(argc, argv, info);
-        if (!quiet) printBanner(args);
-        body(args);
-        if (!quiet) std::cout << "\n" << executionTime() << "\n\nEnd\n";
-        if (!std::cout.flush()) throw FatalError("The standard output cannot be written");
+        call();
         return EXIT_SUCCESS;
     }
     catch (const Interruption& interruption)
@@ -96,6 +87,31 @@ int runApplication
     {
         return fail(info, "FATAL ERROR", error.what());
     }
+}
+
+}
+
+int runApplication
+(
+    int argc, const char* const* argv, const ApplicationInfo& info,
+    const std::function<void(const Arguments&)>& body, bool quiet
+)
+{
+    std::optional<Arguments> args;
+    const int status = statusOf(info, [&] { args.emplace(argc, argv, info); });
+    return args ? runApplication(*args, body, quiet) : status;
+}
+
+int runApplication(const Arguments& args, const std::function<void(const Arguments&)>& body, bool quiet)
+{
+    std::signal(SIGXFSZ, SIG_IGN);      // a file that would be too large is an error of the write, with its message
+    return statusOf(args.info(), [&]
+    {
+        if (!quiet) printBanner(args);
+        body(args);
+        if (!quiet) std::cout << "\n" << executionTime() << "\n\nEnd\n";
+        if (!std::cout.flush()) throw FatalError("The standard output cannot be written");
+    });
 }
 
 std::string versionText() { return SHIZUKU_VERSION "-" SHIZUKU_COMMIT; }

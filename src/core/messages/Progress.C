@@ -55,6 +55,12 @@ std::string Progress::text(double fraction) const
     return left < 0 || left > longestEstimate ? done : done + ", about " + durationText(left) + " left";
 }
 
+std::string Progress::ended(const std::string& name, bool succeeded, double seconds, std::size_t done, std::size_t all) const
+{
+    return (succeeded ? "Finished " : "FAILED   ") + name + " in " + durationText(seconds) + "  (" + std::to_string(done) + " of " + std::to_string(all) + ": "
+         + text(double(done) / double(all)) + ')';
+}
+
 std::string durationText(double seconds)
 {
     constexpr long minute = 60, hour = 60 * minute, day = 24 * hour;

@@ -90,7 +90,11 @@ TEST(Arguments, OfAnApplicationThatNeedsACaseTheManyAreCases)
     const Arguments args = parse({"-device", "cuda", a.c_str(), "-latestTime", b.c_str()}, many);
     EXPECT_TRUE(args.givesCases());
     EXPECT_EQ(args.positionals("cases..."), (std::vector<std::string>{a, b}));
-    EXPECT_EQ(args.optionWords(), (std::vector<std::string>{"-device", "cuda", "-latestTime"}));
+    const Arguments ofB = args.ofCase(b);
+    EXPECT_FALSE(ofB.givesCases());
+    EXPECT_EQ(ofB.casePath(), b);
+    EXPECT_EQ(ofB.get("device"), "cuda");
+    EXPECT_TRUE(ofB.found("latestTime"));
     EXPECT_FALSE(parse({"-case", a.c_str()}, many).givesCases());
     EXPECT_TRUE(holds(errorOf({a.c_str(), noCase.c_str()}, many), {"The folder is not a case: system/controlDict is missing", noCase}));
     EXPECT_TRUE(holds(errorOf({a.c_str(), b.c_str(), a.c_str()}, many), {"The case is given twice", "file: " + a}));

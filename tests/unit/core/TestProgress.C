@@ -38,6 +38,13 @@ TEST(Progress, ExtrapolatesTheTimeLeft)
     EXPECT_EQ(progress.text(1e-30), "0 %");         // an endTime that nobody lives to see
 }
 
+TEST(Progress, SaysWhatHasEnded)
+{
+    const Progress progress("Cases");
+    EXPECT_EQ(progress.ended("drop1", false, 200, 2, 2), "FAILED   drop1 in 3 min 20 s  (2 of 2: 100 %, about 0 s left)");
+    EXPECT_TRUE(progress.ended("drop1", true, 3, 1, 4).starts_with("Finished drop1 in 3 s  (1 of 4: 25 %"));
+}
+
 TEST(Progress, RoundsDurationsForPeople)
 {
     EXPECT_EQ(durationText(0.4), "0 s");
