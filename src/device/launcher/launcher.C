@@ -8,6 +8,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -102,6 +103,14 @@ void letWaitingThreadsSleep()
     setenv("GOMP_SPINCOUNT", "10000", 0);
 }
 
+// A GPU's context is there sooner with as few connections as a process has streams (device/cuda/LaunchQueue.H): a tenth of a second of each start. Links between
+// GPUs have streams of their own. What the user set stays.
+void openFewConnections(int argc, char** argv)
+{
+    const auto isParallel = [](const std::string& token) { return token == "-parallel" || token == "--parallel"; };
+    if (std::none_of(argv + 1, argv + argc, isParallel)) setenv("CUDA_DEVICE_MAX_CONNECTIONS", "2", 0);
+}
+
 }
 
 int main(int argc, char** argv)
@@ -109,6 +118,7 @@ int main(int argc, char** argv)
     try
     {
         letWaitingThreadsSleep();
+        openFewConnections(argc, argv);
         const std::string device = option("-device", "auto", argc, argv), precision = option("-precision", "single", argc, argv);
         const auto run = reinterpret_cast<EntryPoint>(dlsym(openFor(device, precision), "runOnDevice"));
         if (!run) throw FatalError("The module of " SHIZUKU_APPLICATION " has no entry point");
