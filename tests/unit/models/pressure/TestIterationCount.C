@@ -54,8 +54,8 @@ TEST(IterationCount, AStepThatDoesNotBearFewerBeginsTheCountAnew)
     for (int k = 0; k < 100; ++k) EXPECT_EQ(steps.after(k % 4 == 3 ? 0.7e-3 : 0.4e-3), 4);
 }
 
-// Liquid whose compression relaxes by a fifth a step to what the number leaves: too much with two iterations, less than half of the tolerance with three. By a
-// number that follows each step it goes round, 2 to 4 every 15 steps. Now two are tried less and less often, in the end once in 256 steps, for some ten steps.
+// Liquid whose compression relaxes by a fifth a step to what the number leaves: too much with two iterations, less than half of the tolerance with three. A
+// number that follows each step is two in four of every sixteen steps. This one tries two less and less often, in the end once in 256 steps, for four.
 TEST(IterationCount, DoesNotGoRound)
 {
     Steps steps{.count = 3};
