@@ -114,9 +114,9 @@ int SemiImplicitTension::iterations(scalar dt) const
 
 int SemiImplicitTension::parts(scalar dt) const
 {
-    constexpr scalar longest = 2;
-    const scalar steps = dt / (longest * capillaryStep_);
-    return std::max(1, int(std::ceil(steps * steps)));
+    constexpr scalar longest = 2, ofRest = 2.8f;
+    const scalar steps = dt / capillaryStep_, finer = std::clamp(steps * steps / (ofRest * ofRest), scalar(1), scalar(2));
+    return std::max(1, int(std::ceil(finer * steps * steps / (longest * longest))));
 }
 
 void SemiImplicitTension::smooth

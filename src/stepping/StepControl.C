@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace shizuku
 {
@@ -35,10 +36,14 @@ std::vector<StepLimit> StepControl::limits
     {
         limits.push_back({"capillary", capillaryCo_ * p.capillaryStep()});
     }
-    const double viscous = models.viscosity->stepLimit(p);
-    if (std::isfinite(viscous)) limits.push_back({"viscous", viscous});
-    const double acoustic = models.pressure->stepLimit(p);
-    if (std::isfinite(acoustic)) limits.push_back({"acoustic", acoustic});
+    const std::pair<const char*, double> ofModels[] =
+    {
+        {"tension", models.forces.tension().stepLimit(p)}, {"viscous", models.viscosity->stepLimit(p)}, {"acoustic", models.pressure->stepLimit(p)}
+    };
+    for (const auto& [name, dt] : ofModels)
+    {
+        if (std::isfinite(dt)) limits.push_back({name, dt});
+    }
     return limits;
 }
 

@@ -104,6 +104,7 @@ void SubStep::constrain(scalar dt)
     dropVelocities(liquid_);
     models_.freeSurface->dropPositions();
     walls_.project(liquid_);
+    models_.pressure->requireIterations(models_.forces.partsInIterations());
     iterate(liquid_, near_, walls_, *models_.pressure, dt, [&]
     {
         if (models_.forces.readInIteration()) liquid_.ghosts().copy({placesOf(liquid_.predicted)});

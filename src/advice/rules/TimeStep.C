@@ -24,7 +24,7 @@ public:
     std::optional<Advice> advise(Scene& scene) const override
     {
         if (!scene.hasTension()) return std::nullopt;
-        if (scene.limit != "capillary")
+        if (scene.limit != "capillary" && scene.limit != "tension")
         {
             const std::string reason = "the " + scene.limit + " limit rules the sub-step, not the capillary one";
             return Advice{"keep", reason, "src/stepping/StepControl.H"};

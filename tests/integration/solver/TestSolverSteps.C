@@ -108,6 +108,17 @@ TEST_P(Steps, WithoutLimitsDeltaTIsTheStep)
     EXPECT_EQ(steps[0].limit, "deltaT");
 }
 
+// Longer steps of the default's tension make energy (doc/studies.md, longSteps).
+TEST_P(Steps, StepsOfTheDefaultAreNoLongerThanFiveCapillaryOnes)
+{
+    write("constant/models", "pressure completedPbf; surfaceTension laplacePressure; wetting extendedSurface; viscosity newtonian; bodyForce none;");
+    control("deltaT 0.03; endTime 0.12; maxCapillaryCo 30;");
+    const int five = int(std::ceil(0.03/(5*capillaryTime)));
+    EXPECT_TRUE(holds(solve("-dry-run").text, {std::to_string(4*five) + " of ", "limited by tension"}));
+    control("deltaT 0.03; endTime 0.12; maxCapillaryCo 4.9;");
+    EXPECT_TRUE(holds(solve("-dry-run").text, {"limited by capillary"}));
+}
+
 TEST_P(Steps, MaxSubStepsStopsTheRun)
 {
     control("maxCapillaryCo 0.3; maxSubSteps 2;");

@@ -36,7 +36,7 @@
 // With coarseGrid the first half of the iterations that are allowed also correct on a grid; the others even out what it leaves.
 //
 // maxIterations is meant for steps up to the capillary one sqrt(rho d^3/(2 pi sigma)); a longer one, which moves particles
-// farther, may make more towards the tolerance: of k capillary steps sqrt(k) as many, above 2.8 sqrt(k) (k/2.8)^0.85, so that the liquid keeps its volume.
+// farther, may make more towards the tolerance: of k capillary steps sqrt(k) as many, above 2.8 sqrt(k) k/2.8, so that the liquid keeps its volume.
 // Trials: doc/notebook/theory/completedPbf.md.
 
 #include "device/Holds.H"
@@ -186,12 +186,18 @@ public:
         surface.requireUsual(liquid);
     }
 
+    void requireIterations(int least) override
+    {
+        if (controls_.tolerance > 0) least_ = least;
+    }
+
     void begin(scalar dt) override
     {
         iterations_ = 0;
         const scalar steps = controls_.tolerance > 0 ? std::max(scalar(1), capillarySteps(dt)) : 1;
-        const scalar more = std::sqrt(steps) * std::pow(std::max(scalar(1), steps / 2.8f), 0.85f);
-        limits_.maxIterations = int(std::lround(controls_.maxIterations * more));
+        const scalar more = std::sqrt(steps) * std::max(scalar(1), steps / 2.8f);
+        limits_.minIterations = std::max(controls_.minIterations, least_);
+        limits_.maxIterations = std::max(int(std::lround(controls_.maxIterations * more)), least_);
         steady_.begin(limits_);
         dt_ = dt;
         alongSurfaces_ = givenAlongSurfaces_.value_or(surface_.agreed().pressureJump);
@@ -352,6 +358,7 @@ private:
     Buffer<scalar>& pressure_;
     scalar capillaryStep_;
     scalar dt_ = 0;
+    int least_ = 0;                         // iterations, that forces require
     int iterations_ = 0;
     std::optional<ExtendedLiquid> extended_;
     SampledEdges edges_;

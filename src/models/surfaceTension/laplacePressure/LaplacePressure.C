@@ -283,6 +283,7 @@ public:
 
     std::optional<Columns> readsOfNeighbours(Liquid&) const override { return Columns{}; }
     int parts(scalar dt) const override { return semiImplicit_.parts(dt); }
+    double stepLimit(const LiquidProperties& p) const override { return SemiImplicitTension::longestCalm * p.capillaryStep(); }
 
     void commit() override
     {
