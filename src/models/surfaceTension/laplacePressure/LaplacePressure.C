@@ -170,7 +170,7 @@ struct Push
     Span<Vec3> gradient;                    // with the lowest pressures
     ForceTarget target;
 
-    HOST_DEVICE void operator()(int i, scalar jump, scalar more) const { push(i, jump, withDisorder(jump, more)); }
+    HOST_DEVICE void operator()(int i, scalar jump, Remembered disorder) const { push(i, jump, withDisorder(jump, disorder.more)); }
 
     // lowestOf: the jump that says how far the pressure may fall.
     HOST_DEVICE void push(int i, scalar lowestOf, scalar jump) const
@@ -182,16 +182,17 @@ struct Push
     }
 };
 
-// Of long steps: notes the jump, for SemiImplicitTension. R feeds waves that such steps do not resolve, and they follow less of it.
+// Of long steps: notes the jump, for SemiImplicitTension. R of the moment feeds waves that such steps do not resolve, and they follow less of it.
 struct NoteJump
 {
     scalar resolved;                        // t_c/dt
     FreeSurfaceView surface;
     Span<scalar> noted;
 
-    HOST_DEVICE void operator()(int i, scalar jump, scalar more) const
+    HOST_DEVICE void operator()(int i, scalar jump, Remembered disorder) const
     {
-        noted[surface.place[i]] = withDisorder(jump, calm + resolved * (more - calm));
+        const scalar followed = resolved + (1 - resolved) * disorder.share;
+        noted[surface.place[i]] = withDisorder(jump, calm + followed * (disorder.more - calm));
     }
 };
 

@@ -218,20 +218,20 @@ TEST(LaplacePressure, IsYoungsAtTheContactLine)
 namespace
 {
 
-scalar remembered(double degrees, scalar speed, int steps, int wall = 0)
+Remembered remembered(double degrees, scalar speed, int steps, int wall = 0)
 {
     scalar before = 0.1f, now = 0;
     const Vec3 velocity{speed, 0, 0};
     ContactLine line;
     line.theta = scalar(degrees * std::numbers::pi / 180);
     line.wall = wall;
-    scalar more = 0;
+    Remembered disorder{};
     for (; steps > 0; --steps)
     {
-        more = DisorderMemoryView{0.01f, 1, {&velocity, 1}, {}, {&before, 1}, {&now, 1}}(0, Position{}, line, 0.2f);
+        disorder = DisorderMemoryView{0.01f, 1, {&velocity, 1}, {}, {&before, 1}, {&now, 1}}(0, Position{}, line, 0.2f);
         before = now;
     }
-    return more;
+    return disorder;
 }
 
 }
@@ -239,14 +239,26 @@ scalar remembered(double degrees, scalar speed, int steps, int wall = 0)
 // A mean that forgets 1/e in its time, and at once what moves on by a spacing; nothing away from walls and where the surface faces them.
 TEST(DisorderMemory, LagsBehindBesideWallsOnly)
 {
-    EXPECT_NEAR(remembered(120, 0, 100), 0.2 - 0.1 * std::pow(0.99, 100), 1e-5);        // single precision, a hundred times
-    EXPECT_NEAR(remembered(120, 0.01f, 50), 0.2 - 0.1 * std::pow(0.98, 50), 1e-5);
-    EXPECT_EQ(remembered(120, 1, 1), 0.2f);
-    EXPECT_NEAR(remembered(147.5, 0, 1), 0.2 - 0.5 * 0.1 * 0.99, 1e-5);
-    EXPECT_EQ(remembered(160.1, 0, 1), 0.2f);
-    EXPECT_EQ(remembered(160.1, 2, 1), 0.2f);
-    EXPECT_EQ(remembered(120, 0, 1, -1), 0.2f);
-    EXPECT_EQ(DisorderMemoryView{}(0, Position{}, ContactLine{}, 0.2f), 0.2f);                       // of a case without walls
+    EXPECT_NEAR(remembered(120, 0, 100).more, 0.2 - 0.1 * std::pow(0.99, 100), 1e-5);       // single precision, a hundred times
+    EXPECT_NEAR(remembered(120, 0.01f, 50).more, 0.2 - 0.1 * std::pow(0.98, 50), 1e-5);
+    EXPECT_EQ(remembered(120, 1, 1).more, 0.2f);
+    EXPECT_NEAR(remembered(147.5, 0, 1).more, 0.2 - 0.5 * 0.1 * 0.99, 1e-5);
+    EXPECT_EQ(remembered(160.1, 0, 1).more, 0.2f);
+    EXPECT_EQ(remembered(160.1, 2, 1).more, 0.2f);
+    EXPECT_EQ(remembered(120, 0, 1, -1).more, 0.2f);
+    EXPECT_EQ((DisorderMemoryView{}(0, Position{}, ContactLine{}, 0.2f).more), 0.2f);               // of a case without walls
+}
+
+// Long steps follow what is remembered wholly: so much of R is not of the moment.
+TEST(DisorderMemory, SaysHowMuchIsNotOfTheMoment)
+{
+    EXPECT_FLOAT_EQ(remembered(120, 0, 1).share, 0.99f);
+    EXPECT_FLOAT_EQ(remembered(120, 0.01f, 1).share, 0.98f);
+    EXPECT_NEAR(remembered(147.5, 0, 1).share, 0.5 * 0.99, 1e-4);                                   // halfway from 135 to 160 degrees, of four digits
+    EXPECT_EQ(remembered(120, 1, 1).share, 0);
+    EXPECT_EQ(remembered(160.1, 0, 1).share, 0);
+    EXPECT_EQ(remembered(120, 0, 1, -1).share, 0);
+    EXPECT_EQ((DisorderMemoryView{}(0, Position{}, ContactLine{}, 0.2f).share), 0);
 }
 
 // The time that has passed, of which the lattice of the start is no more than its part, and at most 1000 capillary steps; in viscous liquid 10 d^2/nu.
