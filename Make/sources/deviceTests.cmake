@@ -36,6 +36,7 @@ set(SHIZUKU_DEVICE_TESTS
     models/pressure/completedPbf/TestCoarseCorrection.C
     models/pressure/completedPbf/TestCompletedPbf.C
     models/pressure/completedPbf/TestGridPoisson.C
+    models/pressure/completedPbf/TestSteadyIterations.C
     models/pressure/completedPbf/TestTangentialGradient.C
     models/pressure/idealGas/TestIdealGas.C
     models/pressure/pbf/TestPbf.C

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "models/pressure/shared/IterationCount.H"
-#include "models/surfaceTension/SurfaceTension.H"
 #include "motion/Motion.H"
+#include "support/PairForceMeter.H"
 #include "support/PressureReference.H"
 #include "support/ReferenceKernels.H"
 #include "support/SurfaceStates.H"
@@ -14,19 +13,6 @@ using namespace shizuku::test;
 
 namespace
 {
-
-std::unique_ptr<SurfaceTension> makeTension(LiquidCase& drop)
-{
-    const Dictionary models = Dictionary::parse("surfaceTension continuumSurfaceForce;");
-    return SurfaceTension::New(models, drop.liquid, drop.walls, drop.surface);
-}
-
-// A step of so many capillary ones, scaled.
-scalar capillarySteps(const LiquidCase& drop, scalar steps)
-{
-    const Liquid& liquid = drop.liquid;
-    return steps * liquid.units().toScaled(liquid.properties().capillaryStep(), dimensions::time);
-}
 
 // The largest pull that the tension allows, sigma/d.
 scalar suctionOf(const Liquid& liquid)
@@ -152,7 +138,7 @@ TEST(CompletedPbf, RaisesThePressureByItsFormula)
     for (const auto& [tension, dt] : {std::pair{true, 0.125f}, {true, 2.0f}, {false, 0.125f}})
     {
         LiquidCase drop;
-        const auto model = tension ? makeTension(drop) : nullptr;
+        const auto model = tension ? makeTension(drop, "continuumSurfaceForce") : nullptr;
         const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1; relaxation 0.4; epsilon 0.01;");
         RandomNumbers random(3);
         auto points = latticeBlock(7, 7, 7, 1);
@@ -283,7 +269,7 @@ TEST(CompletedPbf, KeepsOrderUnderSuction)
 {
     constexpr scalar dt = 0.5f;
     LiquidCase drop;
-    const auto tension = makeTension(drop);
+    const auto tension = makeTension(drop, "continuumSurfaceForce");
     const auto pressure = makePressure(drop, "completedPbf", "maxIterations 1; minIterations 1; relaxation 1; ordering 1.4;");
     RandomNumbers random(7);
     auto points = latticeBlock(11, 11, 11, 1.06f);
@@ -342,59 +328,6 @@ TEST(CompletedPbf, LeavesTheCentroidOfFreeLiquid)
     for (const double component : speeds.components) EXPECT_NEAR(0.5 * component, 0, 1e-4);
 }
 
-// Six where the tolerance is out of reach, in a step of the capillary length sqrt(rho d^3/(2 pi sigma)) at most; of k times that
-// the root of k as many, above 2.8 k/2.8 times that. Not without tension, where no such step is, nor where tolerance 0 asks for just so many.
-TEST(CompletedPbf, IteratesMoreInStepsLongerThanTheCapillaryOne)
-{
-    const auto made = [](bool tension, const std::string& tolerance, scalar steps)
-    {
-        LiquidCase drop;
-        const auto model = tension ? makeTension(drop) : nullptr;
-        const auto pressure = makePressure(drop, "completedPbf", "tolerance " + tolerance + "; relaxation 0.01;");
-        drop.place(latticeBlock(6, 6, 6, 0.9f));
-        return iterate(*pressure, drop, capillarySteps(drop, steps));
-    };
-    EXPECT_EQ(made(true, "1e-9", 0.7f), 6);
-    EXPECT_EQ(made(true, "1e-9", 1), 6);
-    EXPECT_EQ(made(true, "1e-9", 2), 8);
-    EXPECT_EQ(made(true, "1e-9", 2.8f), 10);
-    EXPECT_EQ(made(true, "1e-9", 5), 24);
-    EXPECT_EQ(made(false, "1e-9", 5), 6);
-    EXPECT_EQ(made(true, "0", 5), 6);
-}
-
-// One more a step would leave the first long steps without an answer to their tension.
-TEST(CompletedPbf, IteratesMoreInTheFirstLongStepAtOnce)
-{
-    LiquidCase drop;
-    const auto model = makeTension(drop);
-    const auto pressure = makePressure(drop, "completedPbf", "tolerance 1e-9; relaxation 0.01;");
-    std::vector<int> made;
-    for (const scalar steps : {0.7f, 5.0f, 5.0f, 0.7f, 2.8f})
-    {
-        drop.place(latticeBlock(6, 6, 6, 0.9f));
-        made.push_back(iterate(*pressure, drop, capillarySteps(drop, steps)));
-    }
-    EXPECT_EQ(made, (std::vector<int>{6, 24, 24, 6, 10}));
-}
-
-// Also more than are allowed, and where the tolerance would be kept with fewer; but not where tolerance 0 asks for just so many.
-TEST(CompletedPbf, MakesAnIterationForEachPartOfAForce)
-{
-    const auto made = [](const std::string& tolerance, int parts)
-    {
-        LiquidCase drop;
-        const auto pressure = makePressure(drop, "completedPbf", "minIterations 1; maxIterations 4; tolerance " + tolerance + ";");
-        drop.place(latticeBlock(6, 6, 6, 1.05f));
-        pressure->requireIterations(parts);
-        return iterate(*pressure, drop, 0.02f);
-    };
-    EXPECT_EQ(made("0.05", 0), 1);
-    EXPECT_EQ(made("0.05", 3), 3);
-    EXPECT_EQ(made("0.05", 9), 9);
-    EXPECT_EQ(made("0", 9), 4);
-}
-
 // Everywhere too thin, and a step so short that the constraint would pull without end: each particle has the suction sigma/d,
 // that is, none without tension, and then nothing moves. A new step begins at zero.
 TEST(CompletedPbf, PullsNoMoreThanTheTensionAllows)
@@ -402,7 +335,7 @@ TEST(CompletedPbf, PullsNoMoreThanTheTensionAllows)
     for (const bool tension : {true, false})
     {
         LiquidCase drop;
-        const auto model = tension ? makeTension(drop) : nullptr;
+        const auto model = tension ? makeTension(drop, "continuumSurfaceForce") : nullptr;
         const auto pressure = makePressure(drop, "completedPbf", "maxIterations 5; tolerance 0;");
         const auto points = latticeBlock(8, 8, 8, 1.08f);
         drop.place(points);
@@ -458,64 +391,6 @@ TEST(CompletedPbf, HasThePressureOfWhatItDisplacedBy)
     const auto same = pressureAfter("maxIterations " + std::to_string(untilTolerance) + "; tolerance 0;", byNumber);
     EXPECT_EQ(untilTolerance, byNumber);
     EXPECT_EQ(p, same);
-}
-
-// What a step needed that was too dense is given back by calm ones, an iteration every few steps (IterationCount), down to the least: also after a step
-// that made as many as are allowed. A step does not know of its own liquid: the first calm one makes as many as the dense one.
-TEST(CompletedPbf, TakesFewerIterationsWhereLittleIsLeft)
-{
-    for (const int least : {0, 1})
-    {
-        LiquidCase drop;
-        const std::string controls = "minIterations " + std::to_string(least) + "; maxIterations 4; tolerance 0.05; relaxation 0.3;";
-        const auto pressure = makePressure(drop, "completedPbf", controls);
-        drop.place(latticeBlock(8, 8, 8, 0.8f));
-        EXPECT_EQ(iterate(*pressure, drop, 0.02f), 4);
-        constexpr int patience = IterationCount::leastPatience;
-        for (int step = 0; step < 6*patience; ++step)
-        {
-            drop.place(latticeBlock(8, 8, 8, 1.05f));
-            EXPECT_EQ(iterate(*pressure, drop, 0.02f), std::max(4 - step/patience, least)) << step;
-        }
-    }
-}
-
-// And dense liquid behind calm one gets an iteration more each step, up to the most: also where calm steps make none.
-TEST(CompletedPbf, TakesMoreIterationsWhereMuchIsLeft)
-{
-    for (const int least : {0, 1})
-    {
-        LiquidCase drop;
-        const std::string controls = "minIterations " + std::to_string(least) + "; maxIterations 4; tolerance 0.05;";
-        const auto pressure = makePressure(drop, "completedPbf", controls);
-        drop.place(latticeBlock(8, 8, 8, 1.05f));
-        EXPECT_EQ(iterate(*pressure, drop, 0.02f), least);
-        std::vector<int> made;
-        for (int step = 0; step < 6; ++step)
-        {
-            drop.place(latticeBlock(8, 8, 8, 0.8f));
-            made.push_back(iterate(*pressure, drop, 0.02f));
-        }
-        EXPECT_EQ(made, least == 0 ? (std::vector<int>{0, 1, 2, 3, 4, 4}) : (std::vector<int>{1, 2, 3, 4, 4, 4}));
-    }
-}
-
-// Compressed by nine percent on the average, which so small corrections hardly change, below the tolerance and above half of it: as
-// many iterations as the step before, be it all of them or one.
-TEST(CompletedPbf, MakesAsManyIterationsAsBeforeWhereHalfIsLeft)
-{
-    LiquidCase drop, other;                 // the numbers of iterations are the liquid's
-    const std::string controls = "minIterations 1; maxIterations 4; tolerance 0.13; relaxation 1e-3;";
-    const auto calm = makePressure(other, "completedPbf", controls), before = makePressure(drop, "completedPbf", controls);
-    drop.place(latticeBlock(8, 8, 8, 0.8f));
-    EXPECT_EQ(iterate(*before, drop, 0.02f), 4);
-    for (int step = 0; step < 3; ++step)
-    {
-        drop.place(latticeBlock(8, 8, 8, 0.97f));
-        EXPECT_EQ(iterate(*before, drop, 0.02f), 4) << step;
-        other.place(latticeBlock(8, 8, 8, 0.97f));
-        EXPECT_EQ(iterate(*calm, other, 0.02f), 1) << step;
-    }
 }
 
 TEST(CompletedPbf, RefusesControlsOutOfRange)
